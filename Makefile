@@ -1,0 +1,126 @@
+# Targets that answer `make help` carry their line of help behind two hashes.
+# Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE.
+SHELL := /bin/bash
+.ONESHELL:
+.SHELLFLAGS := -eu -o pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+.DEFAULT_GOAL := help
+
+BUILD ?= build
+CXX ?= g++
+OPTIMISE ?= -O2
+# No contraction and no -march: data keep their bytes from one build to the next.
+CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3
+LDLIBS := -llapacke -lopenblas -lgsl
+
+PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libcli11-dev doctest-dev
+
+programs := derivative_test static_test vibration_test compare_tables
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp)
+tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
+data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv)
+figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
+
+.PHONY: help setup build data figures check verify clean
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+setup: ## install the Debian packages that are missing
+	@missing=
+	for package in $(PACKAGES); do
+	    status=$$(dpkg-query -W -f='$${Status}' "$$package" 2>/dev/null || true)
+	    [[ $$status == "install ok installed" ]] || missing+=" $$package"
+	done
+	if [[ -z $$missing ]]; then exit 0; fi
+	if ! command -v apt-get >/dev/null; then
+	    echo "make setup: this system has no apt-get; install by hand what these Debian packages hold:$$missing" >&2
+	    exit 1
+	fi
+	root=
+	if [[ $$(id -u) != 0 ]]; then root=sudo; fi
+	$$root apt-get update
+	DEBIAN_FRONTEND=noninteractive $$root apt-get install --yes --no-install-recommends $$missing
+
+build: $(addprefix $(BUILD)/bin/,$(programs)) ## compile the programs into build/bin
+
+data: $(data) ## compute the tables of the figures into data/
+
+figures: $(figures) ## draw the figures of the paper into figures/
+
+check: $(BUILD)/bin/check build ## run the tests
+	@$(BUILD)/bin/check
+
+verify: $(data) $(figures) ## compare the data with those that are committed, and look that the figures are whole
+	@mkdir -p $(BUILD)/verify
+	failed=0
+	for table in $(data); do
+	    git show "HEAD:$$table" > $(BUILD)/verify/committed.csv
+	    $(BUILD)/bin/compare_tables $(BUILD)/verify/committed.csv "$$table" |
+	        sed "s|$(BUILD)/verify/committed.csv|$$table|" || failed=1
+	done
+	for figure in $(figures); do
+	    if [[ -s $$figure && $$(tail -n 1 "$$figure") == "</svg>" ]]; then echo "$$figure: whole"
+	    else echo "$$figure: missing or not whole"; failed=1; fi
+	done
+	exit $$failed
+
+clean: ## remove what was built
+	rm -rf $(BUILD)
+
+# Compilation. A change of the compiler or its flags rebuilds everything.
+flags := $(CXX) $(CXXFLAGS) $(CPPFLAGS) $(LDLIBS)
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	[[ -f $@ && "$$(< $@)" == '$(flags)' ]] || echo '$(flags)' > $@
+.PHONY: FORCE
+FORCE:
+
+$(BUILD)/%.o: %.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	echo "compile $<"
+	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -c $< -o $@
+
+$(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.o $(common)
+	@mkdir -p $(@D)
+	echo "link $@"
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+
+$(BUILD)/bin/check: $(tests) $(common)
+	@mkdir -p $(@D)
+	echo "link $@"
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+
+# Data: one command for each table.
+seeds := 51
+bin := $(BUILD)/bin
+data/asprone2010/figure_1.csv: $(bin)/derivative_test
+	$< --perturb 0,0.25 --seeds $(seeds) --median --output $@
+data/asprone2010/figure_2_left.csv: $(bin)/static_test
+	$< --output $@
+data/asprone2010/figure_2_right.csv: $(bin)/static_test
+	$< --perturb 0.25 --seeds $(seeds) --median --output $@
+data/asprone2010/figure_3.csv: $(bin)/vibration_test
+	$< --output $@
+$(data): | data/BUILD-INFO.txt
+data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
+	@{
+	    echo "commit:   $$(git describe --always --dirty 2>/dev/null || echo unknown)"
+	    echo "compiler: $$($(CXX) --version | head -n 1)"
+	    echo "flags:    $(CXXFLAGS)"
+	    echo "system:   $$(uname -srm)"
+	    echo "date:     $$(date -u +%Y-%m-%dT%H:%M:%SZ)"
+	} > $@
+
+# Figures: gnuplot's complaints count as failures, and a failure leaves no file.
+figures/%.svg: figures/%.gp figures/style.gp $(data)
+	@if ! gnuplot -e "output = '$@.tmp.svg'" $< 2> $(BUILD)/gnuplot.log || [[ -s $(BUILD)/gnuplot.log ]]; then
+	    cat $(BUILD)/gnuplot.log >&2
+	    rm -f $@.tmp.svg
+	    exit 1
+	fi
+	mv $@.tmp.svg $@
+	echo "$@"

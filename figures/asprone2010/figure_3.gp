@@ -1,0 +1,15 @@
+# Figure 3 of Asprone et al. (2010): frequencies over exact frequencies for 100 particles. Beyond the print: FPM applied twice,
+# and the consistent mass matrix of the finite elements.
+load "figures/style.gp"
+table = "data/asprone2010/figure_3.csv"
+set title "Vibration test: normalised spectrum, 100 particles"
+set xrange [0:1]
+set yrange [0:1.3]
+set xlabel "mode n / number of particles N"
+set ylabel "ω_n / (π n)"
+curves = "fem_consistent fem_lumped chen_beraun modified_fpm second_order_fpm rkpm_second_order original rkpm_first_order fpm"
+plot for [name in curves] table using (of(name) * column("mode") / column("particles")):"ratio" \
+         with lines linestyle style(name) notitle, \
+     for [name in curves] table using (of(name) * marked(name, column("mode"), 16) * column("mode") / column("particles")):"ratio" \
+         with points linestyle style(name) notitle, \
+     for [name in curves] keyentry with linespoints linestyle style(name) title title(name)

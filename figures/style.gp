@@ -1,0 +1,55 @@
+# One look for every figure: the same formulation has the same colour, dash and symbol wherever it appears. Colours keep
+# apart in grey; dashes and symbols do without colour.
+# A figure's script loads this file, and is given the file to write as `output`.
+if (!exists("output")) output = "figure.svg"
+set terminal svg size 900,540 font "Helvetica,14" background rgb "white" linewidth 1.2 dashlength 0.7
+set output output
+set datafile separator comma
+set datafile columnheaders
+set datafile missing NaN
+set encoding utf8
+
+set border 3 linecolor rgb "#444444"
+set tics nomirror textcolor rgb "#222222"
+set grid linecolor rgb "#dddddd" linewidth 0.6 dashtype 1
+set rmargin at screen 0.66
+set key at screen 0.68,0.52 left center Left reverse samplen 3.5 spacing 1.25
+
+names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent"
+title_original          = "original SPH"
+title_chen_beraun       = "Chen–Beraun"
+title_rkpm_first_order  = "RKPM, first order"
+title_rkpm_second_order = "RKPM, second order"
+title_fpm               = "FPM, applied twice"
+title_modified_fpm      = "modified FPM"
+title_second_order_fpm  = "second-order FPM"
+title_fem_lumped        = "linear FEM, lumped mass"
+title_fem_consistent    = "linear FEM, consistent mass"
+title(name) = value("title_" . name)
+
+# The style of a formulation is its place in the list.
+style(name) = (words(substr(names, 1, strstrt(names, name))) + 0)
+set style line 1 linecolor rgb "#000000" dashtype 1       pointtype 4  pointsize 0.7 linewidth 1.3
+set style line 2 linecolor rgb "#b35900" dashtype (8,3)   pointtype 8  pointsize 0.8 linewidth 1.3
+set style line 3 linecolor rgb "#c77cb0" dashtype (2,2)   pointtype 6  pointsize 0.7 linewidth 1.6
+set style line 4 linecolor rgb "#e0a000" dashtype (8,3,2,3) pointtype 10 pointsize 0.8 linewidth 1.6
+set style line 5 linecolor rgb "#999999" dashtype (1,2)   pointtype 1  pointsize 0.6 linewidth 1.3
+set style line 6 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize 0.9 linewidth 1.6
+set style line 7 linecolor rgb "#005a3c" dashtype 1       pointtype 7  pointsize 0.6 linewidth 2.0
+set style line 8 linecolor rgb "#777777" dashtype (4,2)   pointtype 2  pointsize 0.6 linewidth 1.0
+set style line 9 linecolor rgb "#aaaaaa" dashtype (1,2)   pointtype 3  pointsize 0.6 linewidth 1.0
+
+# Rows of one formulation; others are passed over. Curves that overlap carry their symbols at different rows, so that each
+# shows: marked(name, row, every) picks them.
+of(name) = strcol("formulation") eq name ? 1 : NaN
+marked(name, row, every) = (int(row) + 3 * style(name)) % every == 0 ? 1 : NaN
+
+# A triangle of slope −order in logarithmic axes, its right angle at the lower left of (N, e).
+# Use: eval(triangle(tag, N, e, factor, order))
+triangle(tag, N, e, factor, order) = sprintf("\
+set object %d polygon from %g,%g to %g,%g to %g,%g to %g,%g fillstyle empty border linecolor rgb '#666666' linewidth 1; \
+set label %d '%d' at %g,%g right offset -0.4,0 textcolor rgb '#666666'; \
+set label %d '1' at %g,%g center offset 0,-0.7 textcolor rgb '#666666'", \
+    tag, N, e, N, e * factor**order, N * factor, e, N, e, \
+    tag, order, N, e * factor**(order / 2.0), \
+    100 + tag, N * sqrt(factor), e)

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asprone2010/section_3_2_chen_beraun.hpp"
+#include "asprone2010/section_3_4_fpm.hpp"
+#include "asprone2010/section_4_second_order_fpm.hpp"
+#include "particles/operators.hpp"
+
+namespace asprone2010 {
+
+/// A formulation of Sections 3 and 4 as tests, programs and figures see it.
+template <class Scalar = double>
+struct Formulation {
+    std::string_view name;       ///< on the command line and in tables
+    std::string_view section;    ///< of the paper
+    std::string_view equations;  ///< of its discrete form
+    Index particles;             ///< that a neighbourhood must hold, the particle itself included
+
+    using Assemble = particles::Operators<Scalar> (*)(const Line<Scalar>&,
+                                                      const particles::Smoothing<Scalar>&,
+                                                      const particles::Requirement&);
+    Assemble assemble;
+
+    /// D and D² of the formulation on a line of particles. Errors as for particles::assemble.
+    [[nodiscard]] particles::Operators<Scalar> operators(
+        const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing) const {
+        return assemble(line, smoothing, {name, particles});
+    }
+};
+
+namespace detail {
+
+template <class Scalar, class Rule>
+Formulation<Scalar> formulation(std::string_view name, std::string_view section, std::string_view equations,
+                                Index particles, Rule /*stateless*/) {
+    return {name, section, equations, particles,
+            [](const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing,
+               const particles::Requirement& required) {
+                return particles::assemble(line, smoothing, required, Rule{});
+            }};
+}
+
+}  // namespace detail
+
+/// All formulations, in the paper's order. Those that return both derivatives of a neighbourhood are used as they are; of
+/// those that return the first alone, the second is the first applied twice ((12), (26) and the end of Section 3.4).
+template <class Scalar = double>
+const std::vector<Formulation<Scalar>>& formulations() {
+    using detail::formulation;
+    static const std::vector<Formulation<Scalar>> all{
+        formulation<Scalar>("original", "3.1", "(11) (12)", 2,
+                            [](const auto& near) { return original::first_derivative(near); }),
+        formulation<Scalar>("chen_beraun", "3.2", "(16) (20)", 3,
+                            [](const auto& near) { return chen_beraun::derivatives(near); }),
+        formulation<Scalar>("rkpm_first_order", "3.3", "(25) (26)", 2,
+                            [](const auto& near) { return rkpm::first_derivative<1>(near); }),
+        formulation<Scalar>("rkpm_second_order", "3.3", "(25) (26)", 3,
+                            [](const auto& near) { return rkpm::first_derivative<2>(near); }),
+        formulation<Scalar>("fpm", "3.4", "(30)", 2,
+                            [](const auto& near) { return fpm::first_derivative(near); }),
+        formulation<Scalar>("modified_fpm", "3.5", "(36)", 3,
+                            [](const auto& near) { return modified_fpm::derivatives(near); }),
+        formulation<Scalar>("second_order_fpm", "4", "(43)", 4,
+                            [](const auto& near) { return second_order_fpm::derivatives(near); }),
+    };
+    return all;
+}
+
+/// \throws particles::InvalidInput for a name that no formulation has
+template <class Scalar = double>
+const Formulation<Scalar>& formulation_named(std::string_view wanted) {
+    std::string names;
+    for (const auto& formulation : formulations<Scalar>()) {
+        if (formulation.name == wanted) return formulation;
+        names += (names.empty() ? "" : ", ") + std::string(formulation.name);
+    }
+    throw particles::InvalidInput("there is no formulation '" + std::string(wanted) +
+                                  "'; choose all or some of " + names);
+}
+
+}  // namespace asprone2010

@@ -1,0 +1,154 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "asprone2010/section_3_1_original.hpp"
+
+namespace asprone2010 {
+
+/// Section 3.3, the reproducing kernel particle method: a polynomial corrects the kernel's moments.
+///
+/// Of the corrected kernel \f$K_i = C_i W_i\f$ the zeroth moment is one and the higher ones, up to the order, are zero. The
+/// conditions are imposed in the discrete setting for the sums and by quadrature for the integrals; both solve
+/// \f$M c = e_0\f$ with \f$M_{kl}\f$ the (k+l)-th moment of \f$W_i\f$.
+///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$C_i\f$ | `Correction<p...>` | polynomial with the exponents p of \f$(x-x_i)/h\f$ |
+/// | \f$a_i, b_i, c_i\f$ | `C.c[0], C.c[1], C.c[2]` | its coefficients |
+/// | \f$K_i,\ DK_i\f$ | `K`, `DK` | corrected kernel and its derivative |
+///
+/// Departures from the print: \f$C_i\f$ is written in the scaled offset, which changes the coefficients and not \f$K_i\f$.
+namespace rkpm {
+
+/// \f$s^n\f$ of a number or, entry by entry, of an array.
+template <int n, class T>
+T power(const T& s) {
+    if constexpr (n == 0)
+        return s * 0 + 1;
+    else if constexpr (n == 1)
+        return s;
+    else
+        return power<n - 1>(s) * s;
+}
+
+/// The correction polynomial, here with any set of exponents: 0, 1 for the first order, 0, 1, 2 for the second.
+/// \defeq{A23}
+/// \f[ C_i(x) = a_i + b_i (x - x_i) + c_i (x - x_i)^2 + \dots \tag{23} \f]
+template <class Scalar, int... p>
+struct Correction {
+    static constexpr int terms = sizeof...(p);
+    static constexpr std::array<int, sizeof...(p)> exponents{p...};
+
+    Eigen::Matrix<Scalar, terms, 1> c;
+
+    /// \f$C(s)\f$ for s, a number or an array.
+    template <class T>
+    [[nodiscard]] T operator()(const T& s) const {
+        int k = 0;
+        T sum = s * 0;
+        ((sum += c[k++] * power<p>(s)), ...);
+        return sum;
+    }
+
+    /// \f$C'(s)\f$.
+    template <class T>
+    [[nodiscard]] T derivative(const T& s) const {
+        int k = 0;
+        T sum = s * 0;
+        ((sum += (c[k++] * p) * power<(p > 0 ? p - 1 : 0)>(s)), ...);
+        return sum;
+    }
+
+    /// The polynomial whose product with a kernel has the p-th moments 1, 0, 0, …
+    /// \param moment a function of k: the k-th moment of the kernel in units of h
+    /// \throws SingularNeighbourhood where the particles do not determine the coefficients
+    template <class Moment>
+    static Correction of(const Moment& moment) {
+        Eigen::Matrix<Scalar, terms, terms> M;
+        for (std::size_t k = 0; k < exponents.size(); ++k)
+            for (std::size_t l = 0; l < exponents.size(); ++l)
+                M(static_cast<Index>(k), static_cast<Index>(l)) = moment(exponents[k] + exponents[l]);
+        return {inverse(M).col(0)};
+    }
+};
+
+/// The corrected kernel, for the integral forms. \defeq{A22}
+/// \f[ K_i(x) = C_i(x) \cdot W_i(x) \tag{22} \f]
+/// \tparam p the exponents of \f$C_i\f$, which are also the moments that are imposed
+template <int... p>
+CentredKernel corrected(const CentredKernel& W_i) {
+    const auto C =
+        Correction<double, p...>::of([&](int k) { return W_i.moment(k, W_i.W) / std::pow(W_i.h, k); });
+    CentredKernel K_i = W_i;
+    K_i.W = [C, W_i](double x) { return C((x - W_i.x) / W_i.h) * W_i.W(x); };
+    K_i.DW = [C, W_i](double x) {
+        const double s = (x - W_i.x) / W_i.h;
+        return C.derivative(s) / W_i.h * W_i.W(x) + C(s) * W_i.DW(x);
+    };
+    return K_i;
+}
+
+/// The corrected kernel at the particles: a neighbourhood with K and DK in the place of W and DW, the moments imposed on
+/// its sums.
+/// \throws SingularNeighbourhood where the particles do not determine \f$C_i\f$
+template <int... p, class Scalar, int Size>
+Neighbourhood<Scalar, Size> corrected(const Neighbourhood<Scalar, Size>& near) {
+    const auto& [r, W, DW, V] = near;
+    std::array<Scalar, 2 * std::max({p...}) + 1> moments;
+    Column<Scalar, Size> terms = W * V;
+    for (Scalar& moment : moments) {
+        moment = terms.sum();
+        terms *= r;
+    }
+    const auto C = Correction<Scalar, p...>::of([&](int k) { return moments[static_cast<std::size_t>(k)]; });
+    const Column<Scalar, Size> C_at = C(r);
+    return {r, C_at * W, C.derivative(r) * W + C_at * DW, V};
+}
+
+/// The improved representation of a function. \defeq{A21}
+/// \f[ B(x_i) \cong \int_\Omega B(x)\,K_i(x)\,d\Omega \tag{21} \f]
+/// \return the value, with an error of O(h²) for the first order and O(h³) for the second
+inline double value(const Function& B, const CentredKernel& K_i) {
+    return classical_sph::value(B, K_i);
+}
+
+/// Taylor's expansion against \f$K_i\f$, up to the second derivative: what (21) represents. \defeq{A24}
+/// \f[ \int_\Omega B\,K_i\,d\Omega = B(x_i)\int_\Omega K_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,K_i\,d\Omega
+///     + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,K_i\,d\Omega + \dots \tag{24} \f]
+inline double expanded_value(double B_i, double DB_i, double D2B_i, const CentredKernel& K_i) {
+    const auto& K = K_i.W;
+    return B_i * K_i.moment(0, K) + DB_i * K_i.moment(1, K) + D2B_i * K_i.moment(2, K) / 2;
+}
+
+/// First derivative with the corrected kernel, as (11). \defeq{A25}
+/// \f[ DB(x_i) \cong \sum_{j=1}^N [B(x_i) - B(x_j)]\,DK_i(x_j)\,\Delta\Omega_j \tag{25} \f]
+/// \tparam order 1 or 2
+/// \param near the particles in the support of \f$W_i\f$
+/// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
+/// \throws SingularNeighbourhood where the particles do not determine \f$C_i\f$
+template <int order, class Scalar, int Size>
+Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
+    static_assert(order == 1 || order == 2, "RKPM is described for the first and the second order");
+    const auto corrected_near = [&] {
+        if constexpr (order == 1)
+            return corrected<0, 1>(near);
+        else
+            return corrected<0, 1, 2>(near);
+    }();
+    const auto& [r, K, DK, V] = corrected_near;
+    return -DK * V;
+}
+
+/// Second derivative: the first applied twice, as (12). \defeq{A26}
+/// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DK_i(x_j)\,\Delta\Omega_j \tag{26} \f]
+/// \param D the operator of (25) for all particles
+template <class Scalar>
+Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
+    return particles::applied_twice(D);
+}
+
+}  // namespace rkpm
+}  // namespace asprone2010

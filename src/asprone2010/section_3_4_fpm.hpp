@@ -1,0 +1,118 @@
+#pragma once
+
+#include "asprone2010/section_3_1_original.hpp"
+
+namespace asprone2010 {
+
+/// Section 3.4, the finite particle method: Taylor's expansion projected on \f$W_i\f$ and \f$DW_i\f$.
+///
+/// Two projections of the first-order expansion give a linear system for the value and the derivative at \f$x_i\f$.
+///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$A\f$ | `matrix` | moments of \f$W_i\f$ and \f$DW_i\f$ |
+/// | \f$e'_1, e'_2\f$ | `remainders` | what the truncated expansion leaves |
+///
+/// Departures from the print: (27), (28) and (30) add the remainders to the projections of B. With the remainders as what
+/// the expansion leaves of B (as in (14)) they are subtracted; orders are not affected.
+namespace fpm {
+
+/// Expansion against \f$W_i\f$; the remainder \f$e'_1\f$ is the projection of B minus the left-hand side. \defeq{A27}
+/// \f[ B(x_i)\int_\Omega W_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega
+///     = \int_\Omega B\,W_i\,d\Omega - e'_1 \tag{27} \f]
+inline double first_remainder(const Function& B, double DB_i, const CentredKernel& W_i) {
+    const double projected = W_i.integral([&](double x) { return B(x) * W_i.W(x); });
+    return projected - B(W_i.x) * W_i.moment(0, W_i.W) - DB_i * W_i.moment(1, W_i.W);
+}
+
+/// Expansion against \f$DW_i\f$, likewise. \defeq{A28}
+/// \f[ B(x_i)\int_\Omega DW_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,DW_i\,d\Omega
+///     = \int_\Omega B\,DW_i\,d\Omega - e'_2 \tag{28} \f]
+inline double second_remainder(const Function& B, double DB_i, const CentredKernel& W_i) {
+    const double projected = W_i.integral([&](double x) { return B(x) * W_i.DW(x); });
+    return projected - B(W_i.x) * W_i.moment(0, W_i.DW) - DB_i * W_i.moment(1, W_i.DW);
+}
+
+/// The matrix, by quadrature. \defeq{A29}
+/// \f[ \begin{aligned}
+///     A_{11} &= \int_\Omega W_i\,d\Omega, & A_{12} &= \int_\Omega (x-x_i)\,W_i\,d\Omega,
+///     \\ A_{21} &= \int_\Omega DW_i\,d\Omega, & A_{22} &= \int_\Omega (x-x_i)\,DW_i\,d\Omega
+///     \end{aligned} \tag{29} \f]
+inline Eigen::Matrix2d matrix(const CentredKernel& W_i) {
+    return Eigen::Matrix2d{{W_i.moment(0, W_i.W), W_i.moment(1, W_i.W)},
+                           {W_i.moment(0, W_i.DW), W_i.moment(1, W_i.DW)}};
+}
+
+/// The matrix, as sums over particles.
+template <class Scalar, int Size>
+Eigen::Matrix<Scalar, 2, 2> matrix(const Neighbourhood<Scalar, Size>& near) {
+    const auto& [r, W, DW, V] = near;
+    return Eigen::Matrix<Scalar, 2, 2>{{(W * V).sum(), (r * W * V).sum()},
+                                       {(DW * V).sum(), (r * DW * V).sum()}};
+}
+
+/// Value and derivative from the system without remainders. \defeq{A30}
+/// \f[ \begin{bmatrix} A_{11} & A_{12} \\ A_{21} & A_{22} \end{bmatrix}
+///     \begin{bmatrix} B(x_i) \\ DB(x_i) \end{bmatrix}
+///     = \begin{bmatrix} \int_\Omega B\,W_i\,d\Omega \\ \int_\Omega B\,DW_i\,d\Omega \end{bmatrix}
+///     - \begin{bmatrix} e'_1 \\ e'_2 \end{bmatrix} \tag{30} \f]
+/// \return \f$B(x_i)\f$ and \f$DB(x_i)\f$
+inline Eigen::Vector2d value_and_derivative(const Function& B, const CentredKernel& W_i) {
+    const Eigen::Vector2d projected{W_i.integral([&](double x) { return B(x) * W_i.W(x); }),
+                                    W_i.integral([&](double x) { return B(x) * W_i.DW(x); })};
+    return inverse(matrix(W_i)) * projected;
+}
+
+/// What (30) returns: weights on \f$B(x_j)\f$.
+template <class Scalar, int Size = Eigen::Dynamic>
+struct ValueAndDerivative {
+    Column<Scalar, Size> value, first;  ///< in units of 1 and 1/h
+};
+
+/// (30) as sums over particles.
+/// \param near the particles in the support of \f$W_i\f$
+/// \throws SingularNeighbourhood where the particles do not determine the two unknowns
+template <class Scalar, int Size>
+ValueAndDerivative<Scalar, Size> value_and_derivative(const Neighbourhood<Scalar, Size>& near) {
+    const auto& [r, W, DW, V] = near;
+    const Eigen::Matrix<Scalar, 2, 2> A_inverse = inverse(matrix(near));
+    return {(A_inverse(0, 0) * W + A_inverse(0, 1) * DW) * V,
+            (A_inverse(1, 0) * W + A_inverse(1, 1) * DW) * V};
+}
+
+/// The first derivative of this formulation. The second row of (30) annihilates constants, so that its weights serve
+/// differences as well.
+/// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
+template <class Scalar, int Size>
+Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
+    return value_and_derivative(near).first;
+}
+
+/// Far from the boundary \f$A_{12} = A_{21} = 0\f$, and the system falls apart. \defeq{A31}
+/// \f[ \begin{bmatrix} B(x_i) \\ DB(x_i) \end{bmatrix}
+///     = \begin{bmatrix} \int_\Omega B\,W_i\,d\Omega / A_{11} \\ \int_\Omega B\,DW_i\,d\Omega / A_{22} \end{bmatrix}
+///     - \begin{bmatrix} e'_1/A_{11} \\ e'_2/A_{22} \end{bmatrix} \tag{31} \f]
+inline Eigen::Vector2d interior_value_and_derivative(const Function& B, const CentredKernel& W_i) {
+    const Eigen::Matrix2d A = matrix(W_i);
+    return {W_i.integral([&](double x) { return B(x) * W_i.W(x); }) / A(0, 0),
+            W_i.integral([&](double x) { return B(x) * W_i.DW(x); }) / A(1, 1)};
+}
+
+/// Error of (30) without remainders, computed minus exact: O(h²) for B everywhere, for DB O(h²) inside and O(h) at the
+/// boundary. \defeq{A32}
+/// \f[ \begin{bmatrix} A_{11} & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
+///     \begin{bmatrix} e'_1 \\ e'_2 \end{bmatrix} = \begin{bmatrix} O(h^2) \\ O(h) \end{bmatrix} \tag{32} \f]
+inline Eigen::Vector2d error(const Function& B, double DB_i, const CentredKernel& W_i) {
+    return inverse(matrix(W_i)) *
+           Eigen::Vector2d{first_remainder(B, DB_i, W_i), second_remainder(B, DB_i, W_i)};
+}
+
+/// The second derivative, the procedure reiterated: it does not converge at the boundary.
+/// \param D the operator of (30) for all particles
+template <class Scalar>
+Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
+    return particles::applied_twice(D);
+}
+
+}  // namespace fpm
+}  // namespace asprone2010

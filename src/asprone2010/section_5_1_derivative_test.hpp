@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+
+#include "asprone2010/section_5_numerical_tests.hpp"
+
+namespace asprone2010 {
+
+/// Section 5.1, the derivative test: how well are the derivatives of eˣ approximated? Figure 1.
+///
+/// The particles hold the exact values; D and D² are applied to them and compared with the exact derivatives in the
+/// infinity norm, which is governed by the worst particle, and that lies on the boundary.
+namespace derivative_test {
+
+/// A function and its exact derivatives, for one position each.
+template <class Scalar = double>
+struct Exact {
+    std::function<Scalar(const Scalar&)> f, Df, D2f;
+};
+
+/// The paper's function, \f$f(x) = e^x\f$.
+template <class Scalar = double>
+Exact<Scalar> exponential() {
+    const auto exponential_of = [](const Scalar& x) {
+        using std::exp;
+        return Scalar(exp(x));
+    };
+    return {exponential_of, exponential_of, exponential_of};
+}
+
+/// Infinity norms of the errors of DB and D²B.
+template <class Scalar = double>
+struct Errors {
+    Scalar first, second;
+    std::optional<Scalar> first_interior, second_interior;  ///< empty where no particle is interior
+};
+
+/// The errors of a formulation on given particles. A particle is interior if it is farther than the support's radius from
+/// both ends. (Operators applied twice feel the boundary over twice that distance.)
+template <class Scalar>
+Errors<Scalar> errors(const Formulation<Scalar>& formulation,
+                      const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact) {
+    const auto& [line, smoothing] = discrete;
+    const Column<Scalar>& x = line.x();
+    const auto [D, D2] = formulation.operators(line, smoothing);
+    const Column<Scalar> B = x.unaryExpr(exact.f);
+    const Column<Scalar> first = (particles::apply(D, B) - x.unaryExpr(exact.Df)).abs();
+    const Column<Scalar> second = (particles::apply(D2, B) - x.unaryExpr(exact.D2f)).abs();
+
+    Errors<Scalar> of{first.maxCoeff(), second.maxCoeff(), {}, {}};
+    const Scalar reach = smoothing.reach();
+    Index left = 0;
+    while (left < line.size() && !(x[left] - x[0] > reach)) ++left;
+    Index right = line.size();
+    while (right > left && !(x[line.size() - 1] - x[right - 1] > reach)) --right;
+    if (left < right) {
+        of.first_interior = first.segment(left, right - left).maxCoeff();
+        of.second_interior = second.segment(left, right - left).maxCoeff();
+    }
+    return of;
+}
+
+}  // namespace derivative_test
+}  // namespace asprone2010

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "asprone2010/section_5_numerical_tests.hpp"
+#include "solvers/banded.hpp"
+
+namespace asprone2010 {
+
+/// Section 5.2, the static test: an elastic rod of unit length and stiffness under a body load. Figure 2.
+///
+/// Equation (45) is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
+/// the formulation's own operators.
+namespace static_test {
+
+/// A displacement with its first and second derivatives: it defines the load and the end values of a problem.
+struct Exact {
+    Function u, Du, D2u;
+};
+
+/// The paper's case: f = eˣ, u(0) = u′(1) = 0, so that \f$u = -e^x + ex + 1\f$.
+inline Exact exponential_load() {
+    return {[](double x) { return -std::exp(x) + std::exp(1.0) * x + 1; },
+            [](double x) { return -std::exp(x) + std::exp(1.0); }, [](double x) { return -std::exp(x); }};
+}
+
+/// Equilibrium at the inner particles, between one row for each end. \defeq{A45}
+/// \f[ -u'' = f \tag{45} \f]
+/// \return the system's matrix: \f$u(x_1)\f$, then \f$-D^2u\f$, then \f$Du(x_N)\f$
+inline Operator<double> system(const particles::Operators<double>& operators) {
+    const Index N = operators.D.rows();
+    Operator<double> A = -operators.D2;
+    const auto replace_row = [&](Index i, const auto& row) {
+        for (Operator<double>::InnerIterator entry(A, i); entry; ++entry) entry.valueRef() = row(entry.col());
+    };
+    replace_row(0, [](Index j) { return j == 0 ? 1.0 : 0.0; });
+    replace_row(N - 1, [&](Index j) { return operators.D.coeff(N - 1, j); });
+    return A;
+}
+
+/// The right-hand side that belongs to system(): the first displacement, the load, the last derivative.
+inline Column<double> right_hand_side(const Line<double>& line, const Exact& exact) {
+    const Index N = line.size();
+    Column<double> f = -line.x().unaryExpr(exact.D2u);
+    f[0] = exact.u(line.x()[0]);
+    f[N - 1] = exact.Du(line.x()[N - 1]);
+    return f;
+}
+
+/// Displacements at the particles.
+/// \throws particles::FailedComputation where the system is singular
+inline Column<double> displacement(const Formulation<double>& formulation,
+                                   const numerical_tests::Particles<double>& discrete, const Exact& exact) {
+    const auto& [line, smoothing] = discrete;
+    return solvers::solve_banded(system(formulation.operators(line, smoothing)),
+                                 right_hand_side(line, exact));
+}
+
+/// Infinity norm of the displacement's error.
+inline double error(const Formulation<double>& formulation,
+                    const numerical_tests::Particles<double>& discrete, const Exact& exact) {
+    const Column<double> u = displacement(formulation, discrete, exact);
+    return numerical_tests::distance<double>(u, discrete.line.x().unaryExpr(exact.u));
+}
+
+}  // namespace static_test
+}  // namespace asprone2010

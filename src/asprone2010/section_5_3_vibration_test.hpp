@@ -1,0 +1,104 @@
+#pragma once
+
+#include <numbers>
+
+#include "asprone2010/section_5_numerical_tests.hpp"
+#include "solvers/spectrum.hpp"
+
+namespace asprone2010 {
+
+/// Section 5.3, the vibration test: natural frequencies of a rod fixed at both ends. Figure 3.
+///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$X, x\f$ | `X` | initial position; the displacement that vibrates is `x` in the equations |
+/// | \f$\omega_n\f$ | `frequency` | circular frequency of mode n |
+/// | \f$K\f$ | `stiffness` | D² without the rows and columns of the fixed ends |
+///
+/// Departures from the print: (47) and (48) carry the wrong sign. Only with the signs below do they give (49) and (50); as
+/// printed, (47) with \f$x = \sin(\omega X)e^{i\omega t}\f$ leaves \f$-2\omega^2 x\f$. And the eigenvalues of K in (52)
+/// approximate \f$-\omega_n^2\f$. N particles have N − 2 modes, since two are fixed.
+namespace vibration_test {
+
+/// The ends are fixed: of D², their rows and columns do not enter. \defeq{A46}
+/// \f[ x(0) = x(1) = 0 \tag{46} \f]
+/// \param D2 second derivative at N particles [1/length²]
+/// \return K, (N − 2) × (N − 2)
+inline Eigen::MatrixXd stiffness(const Operator<double>& D2) {
+    const Index N = D2.rows();
+    return Eigen::MatrixXd(D2).block(1, 1, N - 2, N - 2);
+}
+
+/// Equation of motion: what it leaves of given second derivatives. The print has a plus. \defeq{A47}
+/// \f[ \frac{\partial^2 x}{\partial X^2} - \frac{\partial^2 x}{\partial t^2} = 0 \tag{47} \f]
+inline double unbalance(double d2x_dX2, double d2x_dt2) {
+    return d2x_dX2 - d2x_dt2;
+}
+
+/// Acceleration of a displacement that vibrates with frequency ω. The print has no minus. \defeq{A48}
+/// \f[ \frac{\partial^2 x}{\partial t^2} = -\omega^2 x \tag{48} \f]
+inline double acceleration(double omega, double x) {
+    return -omega * omega * x;
+}
+
+/// (47) with (48): what a stationary vibration leaves. \defeq{A49}
+/// \f[ \frac{\partial^2 x}{\partial X^2} + \omega^2 x = 0 \tag{49} \f]
+inline double stationary_unbalance(double d2x_dX2, double omega, double x) {
+    return unbalance(d2x_dX2, acceleration(omega, x));
+}
+
+/// Shape of a mode. \defeq{A50}
+/// \f[ x = \sin(\omega X) \tag{50} \f]
+inline double mode(double omega, double X) {
+    return std::sin(omega * X);
+}
+
+/// Exact frequency of mode n = 1, 2, … \defeq{A51}
+/// \f[ \omega_n = \pi n \tag{51} \f]
+inline double exact_frequency(Index n) {
+    return std::numbers::pi * static_cast<double>(n);
+}
+
+/// The discrete problem: frequencies \f$\omega_n = \sqrt{-\lambda_n}\f$ of the eigenvalues λ of K. \defeq{A52}
+/// \f[ \mathbf{K}\mathbf{x} + \omega^2\mathbf{x} = 0 \tag{52} \f]
+/// \return by increasing real part, then imaginary part
+/// A frequency that is not real belongs to an eigenvalue that is not negative.
+inline std::vector<std::complex<double>> frequencies(const Eigen::MatrixXd& K) {
+    std::vector<std::complex<double>> omega;
+    for (const std::complex<double>& lambda : solvers::eigenvalues(K)) omega.push_back(std::sqrt(-lambda));
+    std::sort(omega.begin(), omega.end(), [](const auto& a, const auto& b) {
+        return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
+    });
+    return omega;
+}
+
+/// Frequencies of a formulation on given particles.
+inline std::vector<std::complex<double>> frequencies(const Formulation<double>& formulation,
+                                                     const numerical_tests::Particles<double>& discrete) {
+    return frequencies(stiffness(formulation.operators(discrete.line, discrete.smoothing).D2));
+}
+
+/// How the mass of a linear finite element is distributed.
+enum class Mass { lumped, consistent };
+
+/// Frequencies of linear finite elements between the particles, with both ends fixed: the reference curves.
+/// Stiffness and mass matrices are assembled and the generalised eigenvalue problem is solved.
+inline std::vector<std::complex<double>> finite_element_frequencies(const Line<double>& line, Mass mass) {
+    const Index N = line.size();
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(N, N);
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(N, N);
+    for (Index e = 0; e + 1 < N; ++e) {
+        const double l = line.x()[e + 1] - line.x()[e];
+        K.block<2, 2>(e, e) += Eigen::Matrix2d{{1, -1}, {-1, 1}} / l;
+        M.block<2, 2>(e, e) += mass == Mass::lumped ? Eigen::Matrix2d{{l / 2, 0}, {0, l / 2}}
+                                                    : Eigen::Matrix2d{{l / 3, l / 6}, {l / 6, l / 3}};
+    }
+    std::vector<std::complex<double>> omega;
+    for (const double lambda :
+         solvers::symmetric_eigenvalues(K.block(1, 1, N - 2, N - 2), M.block(1, 1, N - 2, N - 2)))
+        omega.emplace_back(std::sqrt(lambda));
+    return omega;
+}
+
+}  // namespace vibration_test
+}  // namespace asprone2010

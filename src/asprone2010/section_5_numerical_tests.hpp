@@ -1,0 +1,47 @@
+#pragma once
+
+#include "asprone2010/formulations.hpp"
+
+namespace asprone2010 {
+
+/// Section 5, what the three numerical tests share: Ω = [0, 1], particles at equal distances, a Gaussian with h = δ.
+///
+/// The print leaves open where the particles lie in their cells, which volumes the end particles carry, which numbers of
+/// particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle, since both tests impose
+/// boundary conditions there; volumes follow a named convention; h stays δ when particles are perturbed.
+namespace numerical_tests {
+
+/// How a line of N particles is made and smoothed.
+struct Discretisation {
+    particles::Volumes volumes = particles::Volumes::equal;
+    particles::Kernel kernel = particles::Gaussian{};
+    double smoothing = 1;     ///< h/δ
+    double perturbation = 0;  ///< amplitude a of the random displacement, in units of δ
+};
+
+/// Particles with the kernel that smooths over them.
+template <class Scalar = double>
+struct Particles {
+    Line<Scalar> line;
+    particles::Smoothing<Scalar> smoothing;
+};
+
+/// The N particles of a discretisation; the seed matters where they are perturbed.
+/// \throws particles::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
+template <class Scalar = double>
+Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long seed) {
+    const Column<Scalar> x = of.perturbation == 0
+                                 ? particles::uniform_positions<Scalar>(N)
+                                 : particles::perturbed_positions<Scalar>(N, of.perturbation, seed);
+    const Line<Scalar> line = particles::line_at<Scalar>(x, of.volumes);
+    return {line, particles::Smoothing<Scalar>(of.kernel, Scalar(of.smoothing) * line.spacing())};
+}
+
+/// \f$\max_j |a_j - b_j|\f$, the norm of all three tests.
+template <class Scalar>
+Scalar distance(const Column<Scalar>& a, const Column<Scalar>& b) {
+    return (a - b).abs().maxCoeff();
+}
+
+}  // namespace numerical_tests
+}  // namespace asprone2010

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <gsl/gsl_integration.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <new>
+
+#include "particles/kernels.hpp"
+
+namespace particles {
+
+/// A real function of the position.
+using Function = std::function<double(double)>;
+
+/// A closed interval, by its ends.
+struct Interval {
+    double first, last;
+};
+
+/// The kernel \f$W_i\f$ of a particle as a function of x, for the integral forms: values, derivative, and integrals over
+/// the domain Ω. Lengths in the unit of x (the discrete forms take h as the unit, see Neighbourhood).
+struct CentredKernel {
+    double x;        ///< the particle's position \f$x_i\f$
+    double h;        ///< smoothing length
+    double support;  ///< radius of the support in units of h
+    Interval Omega;  ///< the domain
+    Function W;      ///< \f$W_i(x)\f$ [1/length]
+    Function DW;     ///< \f$DW_i(x)\f$ [1/length²]
+
+    /// \f$\int_\Omega f\,d\Omega\f$ of a function that vanishes outside the support of \f$W_i\f$: Gauss–Legendre with 32
+    /// points between the knots \f$x_i + kh\f$, where the splines change their polynomial.
+    /// \throws InvalidInput for a result that is not finite
+    [[nodiscard]] double integral(const Function& f) const {
+        const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)> rule(
+            gsl_integration_glfixed_table_alloc(32), gsl_integration_glfixed_table_free);
+        if (!rule) throw std::bad_alloc();
+        const gsl_function integrand{
+            [](double at, void* function) { return (*static_cast<const Function*>(function))(at); },
+            const_cast<Function*>(&f)};
+        double sum = 0;
+        const int pieces = static_cast<int>(std::ceil(support));
+        for (int k = -pieces; k < pieces; ++k) {
+            const double from = std::max(x + std::max<double>(k, -support) * h, Omega.first);
+            const double to = std::min(x + std::min<double>(k + 1, support) * h, Omega.last);
+            if (from < to) sum += gsl_integration_glfixed(&integrand, from, to, rule.get());
+        }
+        if (!std::isfinite(sum)) throw InvalidInput("the integral around x = " + shown(x) + " is not finite");
+        return sum;
+    }
+
+    /// Moment \f$\int_\Omega (x - x_i)^k f(x)\,d\Omega\f$ of a function, usually W or DW.
+    [[nodiscard]] double moment(int k, const Function& f) const {
+        return integral([&](double at) { return std::pow(at - x, k) * f(at); });
+    }
+
+    /// \f$\|f\|_{L^1} = \int_\Omega |f|\,d\Omega\f$.
+    [[nodiscard]] double norm(const Function& f) const {
+        return integral([&](double at) { return std::abs(f(at)); });
+    }
+};
+
+/// The kernel of smoothing length h centred at x_i, on the domain Ω.
+inline CentredKernel centred(const Kernel& kernel, double x_i, double h, Interval Omega) {
+    return std::visit(
+        [&](const auto& W) {
+            return CentredKernel{x_i,
+                                 h,
+                                 W.template support<double>(),
+                                 Omega,
+                                 [=](double x) { return W.W((x - x_i) / h) / h; },
+                                 [=](double x) { return W.DW((x - x_i) / h) / (h * h); }};
+        },
+        kernel);
+}
+
+}  // namespace particles

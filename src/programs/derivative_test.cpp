@@ -1,0 +1,38 @@
+#include "asprone2010/section_5_1_derivative_test.hpp"
+
+#include "programs/options.hpp"
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Section 5.1 of Asprone et al. (2010): errors of the first and second derivative of exp on [0, 1].",
+        "derivative_test");
+    app.footer("Example: derivative_test --formulation second_order_fpm --particles 320,640,1280");
+    programs::Options options;
+    options.particles = programs::four_a_doubling();
+    programs::add_options(app, options);
+
+    return programs::run(app, argc, argv, options, [&] {
+        using namespace asprone2010;
+        report::Table table;
+        table.comments = {
+            "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B "
+            "= exp",
+            "interior: particles farther than the support's radius from both ends; empty where there are "
+            "none",
+            programs::described(options)};
+        table.columns = {{"error_first", {1e-6, 2e-11}},
+                         {"error_second", {1e-6, 5e-8}},
+                         {"error_first_interior", {1e-6, 2e-11}},
+                         {"error_second_interior", {1e-6, 5e-8}}};
+        programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
+            const auto [first, second, first_interior, second_interior] = derivative_test::errors(
+                formulation_named<double>(of.formulation), programs::discretise(options, of),
+                derivative_test::exponential<double>());
+            const auto cell = [](const std::optional<double>& error) {
+                return error ? report::Cell(*error) : report::Cell();
+            };
+            return {first, second, cell(first_interior), cell(second_interior)};
+        });
+        return table;
+    });
+}

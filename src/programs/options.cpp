@@ -1,0 +1,198 @@
+#include "programs/options.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "particles/errors.hpp"
+#include "particles/operators.hpp"
+#include "report/file.hpp"
+#include "report/statistics.hpp"
+#include "solvers/blas_threads.hpp"
+
+namespace programs {
+
+using particles::InvalidInput;
+using report::Cell;
+
+namespace {
+
+std::vector<std::string> known_formulations(const std::vector<std::string>& extra) {
+    std::vector<std::string> names;
+    for (const auto& formulation : asprone2010::formulations<double>()) names.emplace_back(formulation.name);
+    names.insert(names.end(), extra.begin(), extra.end());
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+}  // namespace
+
+std::vector<long> four_a_doubling() {
+    std::vector<long> N;
+    for (int k = 0; k <= 32; ++k) N.push_back(std::lround(10 * std::exp2(k / 4.0)));
+    return N;
+}
+
+void add_options(CLI::App& app, Options& options, const std::vector<std::string>& extra) {
+    std::vector<std::string> kernels;
+    particles::for_each_kernel([&](const auto& kernel) { kernels.push_back(particles::name(kernel)); });
+
+    app.option_defaults()->always_capture_default(false);
+    app.get_formatter()->column_width(34);
+    app.add_option(
+           "--formulation", options.formulations,
+           "which formulations, separated by commas: all, or some of " + joined(known_formulations(extra)))
+        ->delimiter(',')
+        ->type_name("NAME[,NAME...]");
+    app.add_option("--particles", options.particles, "numbers of particles N, separated by commas")
+        ->delimiter(',')
+        ->type_name("N[,N...]");
+    app.add_option(
+           "--volumes", options.volumes,
+           "particle volumes: equal (the spacing for all; default) or partition (half of it at the ends)")
+        ->type_name("NAME");
+    app.add_option("--kernel", options.kernel, "one of " + joined(kernels) + " (default gaussian)")
+        ->type_name("NAME");
+    app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1)")
+        ->type_name("RATIO");
+    app.add_option("--perturb", options.perturbations,
+                   "amplitudes a, separated by commas: inner particles move by U(-1,1) a delta (default 0; "
+                   "the paper: "
+                   "0.25)")
+        ->delimiter(',')
+        ->type_name("A[,A...]");
+    app.add_option("--seed", options.seed, "first seed of the perturbations (default 1)")->type_name("S");
+    app.add_option("--seeds", options.seeds, "how many seeds: S, S+1, ... (default 1)")
+        ->type_name("K")
+        ->check(CLI::Range(1UL, 1000000UL));
+    app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
+    app.add_option("--threads", options.threads, "how many threads (default: all)")
+        ->type_name("T")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--output", options.output, "CSV file to write (default: standard output)")
+        ->type_name("FILE");
+}
+
+std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
+    const std::vector<std::string> known = known_formulations(extra);
+    std::vector<std::string> wanted = options.formulations;
+    if (wanted == std::vector<std::string>{"all"}) wanted = known;
+    for (const std::string& name : wanted)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw InvalidInput("there is no formulation '" + name + "'; choose all or some of " +
+                               joined(known));
+
+    std::vector<Case> all;
+    for (const std::string& formulation : wanted)
+        for (const double perturbation : options.perturbations)
+            for (const long N : options.particles)
+                for (unsigned long k = 0; k < (perturbation == 0 ? 1 : options.seeds); ++k)
+                    all.push_back({formulation, perturbation, N, options.seed + k});
+    return all;
+}
+
+asprone2010::numerical_tests::Particles<double> discretise(const Options& options, const Case& of) {
+    return asprone2010::numerical_tests::discretise<double>(
+        {particles::volumes_named(options.volumes), particles::kernel_named(options.kernel),
+         options.smoothing, of.perturbation},
+        of.particles, of.seed);
+}
+
+void tabulate(report::Table& table, const Options& options,
+              const std::function<std::vector<Cell>(const Case&)>& compute) {
+    const std::vector<Case> all = cases(options);
+    std::vector<std::vector<Cell>> numbers(all.size());
+    std::size_t done = 0;
+    const bool watched = isatty(STDERR_FILENO) != 0;
+    particles::for_each_index(static_cast<Eigen::Index>(all.size()), [&](Eigen::Index k) {
+        const auto at = static_cast<std::size_t>(k);
+        numbers[at] = compute(all[at]);
+        if (watched) {
+#pragma omp critical(progress)
+            {
+                ++done;
+                std::cerr << "\r" << done << " of " << all.size() << (done == all.size() ? "\n" : "")
+                          << std::flush;
+            }
+        }
+    });
+
+    const std::vector<report::ColumnHead> measured = table.columns;
+    table.columns = {{"formulation"}, {"particles"}, {"spacing"}, {"perturbation"}, {"seed"}};
+    table.columns.insert(table.columns.end(), measured.begin(), measured.end());
+    if (options.median) {
+        table.columns.push_back({"seeds"});
+        for (const auto& column : measured) {
+            table.columns.push_back({column.name + "_lower", column.tolerance});
+            table.columns.push_back({column.name + "_upper", column.tolerance});
+        }
+    }
+
+    for (std::size_t k = 0; k < all.size();) {
+        const Case& of = all[k];
+        const unsigned long seeds = !options.median || of.perturbation == 0 ? 1 : options.seeds;
+        std::vector<Cell> row{of.formulation, static_cast<long>(of.particles),
+                              1.0 / static_cast<double>(of.particles - 1), of.perturbation,
+                              static_cast<long>(of.seed)};
+        std::vector<Cell> spread{static_cast<long>(seeds)};
+        for (std::size_t column = 0; column < measured.size(); ++column) {
+            std::vector<double> sample;
+            for (std::size_t s = k; s < k + seeds; ++s)
+                if (const auto* number = std::get_if<double>(&numbers[s][column])) sample.push_back(*number);
+            if (sample.size() < seeds) {  // no interior particle, say
+                row.emplace_back();
+                spread.insert(spread.end(), 2, Cell());
+                continue;
+            }
+            const auto [lower, median, upper] = report::quartiles(sample);
+            row.emplace_back(median);
+            spread.insert(spread.end(), {lower, upper});
+        }
+        if (options.median) row.insert(row.end(), spread.begin(), spread.end());
+        table.rows.push_back(std::move(row));
+        k += seeds;
+    }
+}
+
+std::string described(const Options& options) {
+    return "kernel " + options.kernel + ", h/delta " + particles::shown(options.smoothing) + ", volumes " +
+           options.volumes + ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) +
+           " to " + std::to_string(options.seed + options.seeds - 1);
+}
+
+int run(CLI::App& app, int argc, char** argv, const Options& options,
+        const std::function<report::Table()>& compute) {
+    const std::string program = app.get_name();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        return app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << program << ": " << error.what() << "; see " << program << " --help\n";
+        return 2;
+    }
+    try {
+        gsl_set_error_handler_off();
+        solvers::use_one_blas_thread();
+        if (options.threads > 0) omp_set_num_threads(options.threads);
+        report::write_whole(options.output, report::csv(compute()));
+        return 0;
+    } catch (const InvalidInput& error) {
+        std::cerr << program << ": " << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << program << ": " << error.what() << "\n";
+        return 1;
+    }
+}
+
+}  // namespace programs

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "asprone2010/section_5_numerical_tests.hpp"
+#include "report/table.hpp"
+
+/// One main per numerical test: it reads options, calls one section and writes one table.
+namespace programs {
+
+/// What the three numerical tests of asprone2010 can be asked.
+struct Options {
+    std::vector<std::string> formulations{"all"};
+    std::vector<long> particles;
+    std::string volumes = "equal";
+    std::string kernel = "gaussian";
+    double smoothing = 1;
+    std::vector<double> perturbations{0};
+    unsigned long seed = 1;
+    unsigned long seeds = 1;
+    bool median = false;
+    int threads = 0;
+    std::string output;
+};
+
+/// Numbers of particles from 10 to 2560, four for each doubling.
+std::vector<long> four_a_doubling();
+
+/// The options of a numerical test, added to its command line.
+/// \param extra formulation names that the program knows beside those of formulations.hpp
+void add_options(CLI::App& app, Options& options, const std::vector<std::string>& extra = {});
+
+/// One thing to compute: a formulation on one line of particles.
+struct Case {
+    std::string formulation;
+    double perturbation;
+    Eigen::Index particles;
+    unsigned long seed;
+};
+
+/// All cases that the options ask for: formulation by formulation, then perturbation, particles and seed.
+/// Without a perturbation there is one seed only.
+std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra = {});
+
+/// The discretisation of a case.
+asprone2010::numerical_tests::Particles<double> discretise(const Options& options, const Case& of);
+
+/// Computes the numbers of every case in parallel, with progress on a terminal, and appends them to the table behind the
+/// columns formulation, particles, spacing, perturbation and seed. With --median, the seeds of a case become one row: the
+/// medians, then how many seeds, then the lower and upper quartile of each number.
+/// \param compute numbers of a case, as many as the table has further columns; an empty cell stays empty
+void tabulate(report::Table& table, const Options& options,
+              const std::function<std::vector<report::Cell>(const Case&)>& compute);
+
+/// The options as a comment of the table: what stays the same in all its rows.
+std::string described(const Options& options);
+
+/// The body of main: options are read, the table is computed and written.
+/// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
+int run(CLI::App& app, int argc, char** argv, const Options& options,
+        const std::function<report::Table()>& compute);
+
+}  // namespace programs

@@ -1,0 +1,29 @@
+#include "asprone2010/section_5_2_static_test.hpp"
+
+#include "programs/options.hpp"
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Section 5.2 of Asprone et al. (2010): displacement error of an elastic rod, -u'' = exp, u(0) = "
+        "u'(1) = 0.",
+        "static_test");
+    app.footer("Example: static_test --formulation modified_fpm,second_order_fpm --particles 160,320,640");
+    programs::Options options;
+    options.particles = programs::four_a_doubling();
+    programs::add_options(app, options);
+
+    return programs::run(app, argc, argv, options, [&] {
+        using namespace asprone2010;
+        report::Table table;
+        table.comments = {
+            "Asprone et al. (2010), Section 5.2, Figure 2: infinity norm of the displacement's error, (45) "
+            "with f = exp",
+            programs::described(options)};
+        table.columns = {{"error_displacement", {1e-6, 2e-9}}};
+        programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
+            return {static_test::error(formulation_named<double>(of.formulation),
+                                       programs::discretise(options, of), static_test::exponential_load())};
+        });
+        return table;
+    });
+}

@@ -1,0 +1,57 @@
+#include "asprone2010/section_5_3_vibration_test.hpp"
+
+#include "programs/options.hpp"
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Section 5.3 of Asprone et al. (2010): natural frequencies of an elastic rod that is fixed at both "
+        "ends.",
+        "vibration_test");
+    app.footer("Example: vibration_test --formulation second_order_fpm,fem_lumped --particles 50");
+    const std::vector<std::string> references{"fem_lumped", "fem_consistent"};
+    programs::Options options;
+    options.particles = {100};
+    programs::add_options(app, options, references);
+
+    return programs::run(app, argc, argv, options, [&] {
+        using namespace asprone2010;
+        using vibration_test::Mass;
+        if (options.median)
+            throw particles::InvalidInput("vibration_test has no --median: a spectrum is a row per mode");
+        report::Table table;
+        table.comments = {
+            "Asprone et al. (2010), Section 5.3, Figure 3: frequencies sqrt(-lambda) of (52) against (51), "
+            "omega_n = pi n",
+            "fem_lumped, fem_consistent: linear finite elements between the same particles",
+            programs::described(options)};
+        table.columns = {{"formulation"},
+                         {"particles"},
+                         {"perturbation"},
+                         {"seed"},
+                         {"mode"},
+                         {"frequency", {1e-7, 1e-5}},
+                         {"frequency_imaginary", {1e-7, 1e-5}},
+                         {"exact"},
+                         {"ratio", {1e-7, 1e-6}}};
+        for (const programs::Case& of : programs::cases(options, references)) {
+            const auto discrete = programs::discretise(options, of);
+            if (of.particles < 3)
+                throw particles::InvalidInput(
+                    "2 particles fixed at both ends cannot vibrate; take at least 3");
+            const auto frequencies =
+                of.formulation == "fem_lumped"
+                    ? vibration_test::finite_element_frequencies(discrete.line, Mass::lumped)
+                : of.formulation == "fem_consistent"
+                    ? vibration_test::finite_element_frequencies(discrete.line, Mass::consistent)
+                    : vibration_test::frequencies(formulation_named<double>(of.formulation), discrete);
+            for (std::size_t k = 0; k < frequencies.size(); ++k) {
+                const auto n = static_cast<Index>(k + 1);
+                const double exact = vibration_test::exact_frequency(n);
+                table.rows.push_back({of.formulation, static_cast<long>(of.particles), of.perturbation,
+                                      static_cast<long>(of.seed), static_cast<long>(n), frequencies[k].real(),
+                                      frequencies[k].imag(), exact, frequencies[k].real() / exact});
+            }
+        }
+        return table;
+    });
+}

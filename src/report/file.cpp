@@ -1,0 +1,58 @@
+#include "report/file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "particles/errors.hpp"
+
+namespace report {
+
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+[[noreturn]] void fail(const std::string& action, const std::string& path) {
+    throw particles::FailedComputation("cannot " + action + " " +
+                                       (path.empty() ? "the standard output" : path) + ": " +
+                                       std::strerror(errno));
+}
+
+bool put(std::FILE* file, const std::string& text) {
+    return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+}
+
+}  // namespace
+
+void write_whole(const std::string& path, const std::string& text) {
+    if (path.empty()) {
+        if (!put(stdout, text)) fail("write to", path);
+        return;
+    }
+    const std::string temporary = path + ".tmp." + std::to_string(getpid());
+    File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
+    if (!file) fail("write", path);
+    const bool written = put(file.get(), text) && std::fclose(file.release()) == 0;
+    if (!written || std::rename(temporary.c_str(), path.c_str()) != 0) {
+        const int reason = errno;
+        std::remove(temporary.c_str());
+        errno = reason;
+        fail("write", path);
+    }
+}
+
+std::string read_whole(const std::string& path) {
+    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) fail("read", path);
+    std::string text;
+    char buffer[65536];
+    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get()))
+        text.append(buffer, count);
+    if (std::ferror(file.get())) fail("read", path);
+    return text;
+}
+
+}  // namespace report

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace report {
+
+/// How closely a column of numbers is reproducible on another processor or with another compiler: two values agree if they
+/// differ by no more than relative · the larger one + absolute.
+struct Tolerance {
+    double relative = 0, absolute = 0;
+};
+
+/// A column by its name. Real numbers are written with as many digits as the relative tolerance lets stand.
+struct ColumnHead {
+    std::string name;
+    Tolerance tolerance = {};
+};
+
+/// An entry: empty, a word, an integer or a real number.
+using Cell = std::variant<std::monostate, std::string, long, double>;
+
+/// A table with the comments that say what it shows.
+struct Table {
+    std::vector<std::string> comments;
+    std::vector<ColumnHead> columns;
+    std::vector<std::vector<Cell>> rows;
+
+    /// Index of a column. \throws particles::FailedComputation where there is none of that name
+    [[nodiscard]] std::size_t column(const std::string& name) const;
+};
+
+/// The table as CSV: a block of comments (#), among them the tolerances, then a row of names, then the rows. Numbers are
+/// written in the C locale.
+/// \throws particles::FailedComputation for a number that is not finite or a row of another length, naming row and column
+std::string csv(const Table& table);
+
+/// The inverse of csv(): entries that read as numbers become real numbers, empty ones stay empty.
+/// \throws particles::FailedComputation naming the line that is no row of the table
+Table parsed(const std::string& csv);
+
+/// Where two tables differ by more than the tolerances that the first one states; empty if they agree.
+std::vector<std::string> differences(const Table& committed, const Table& regenerated);
+
+}  // namespace report

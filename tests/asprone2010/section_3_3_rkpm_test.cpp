@@ -1,0 +1,131 @@
+#include "asprone2010/section_3_3_rkpm.hpp"
+
+#include "tests/support.hpp"
+
+using namespace asprone2010;
+using namespace asprone2010::rkpm;
+using support::order_in_h;
+using support::Wave;
+
+namespace {
+
+CentredKernel at(double x, double h = 0.05) {
+    return particles::centred(particles::Gaussian{}, x, h, {0, 1});
+}
+
+}  // namespace
+
+TEST_CASE("(23): the polynomial and its derivative") {
+    const Correction<double, 0, 1, 2> C{{2, -3, 5}};
+    CHECK(C(0.5) == doctest::Approx(2 - 1.5 + 1.25).epsilon(1e-15));
+    CHECK(C.derivative(0.5) == doctest::Approx(-3 + 5).epsilon(1e-15));
+    const Correction<double, 0, 1, 3> cubic{{2, -3, 5}};
+    CHECK(cubic(0.5) == doctest::Approx(2 - 1.5 + 0.625).epsilon(1e-15));
+    CHECK(cubic.derivative(0.5) == doctest::Approx(-3 + 15 * 0.25).epsilon(1e-15));
+    const Column<double> s = Column<double>::LinSpaced(4, -1, 2);
+    for (Index k = 0; k < 4; ++k) CHECK(C(s)[k] == C(s[k]));
+}
+
+TEST_CASE("(22): DK is the derivative of K") {
+    const auto K_i = corrected<0, 1, 2>(at(0.02));
+    for (const double x : {0.0, 0.01, 0.05, 0.2})
+        CHECK(K_i.DW(x) == doctest::Approx((K_i.W(x + 1e-6) - K_i.W(x - 1e-6)) / 2e-6).epsilon(1e-6));
+}
+
+TEST_CASE("A07: the corrected kernels have the moments 1, 0 and 1, 0, 0, at the ends too") {
+    for (const double x : {0.0, 0.013, 0.5, 1.0}) {
+        const auto first = corrected<0, 1>(at(x));
+        CHECK(first.moment(0, first.W) == doctest::Approx(1).epsilon(1e-12));
+        CHECK(std::abs(first.moment(1, first.W)) < 1e-14);
+        const auto second = corrected<0, 1, 2>(at(x));
+        CHECK(second.moment(0, second.W) == doctest::Approx(1).epsilon(1e-12));
+        CHECK(std::abs(second.moment(1, second.W)) < 1e-14);
+        CHECK(std::abs(second.moment(2, second.W)) < 1e-14);
+    }
+}
+
+TEST_CASE("the discrete moments of the discrete kernels are 1, 0 and 1, 0, 0 on random particles") {
+    const auto [line, smoothing] =
+        support::particles_of(50, {particles::Volumes::partition, particles::Gaussian{}, 1, 0.4});
+    for (Index i = 0; i < 50; ++i) {
+        const auto near = particles::neighbourhood(line, smoothing, i);
+        const auto first = corrected<0, 1>(near);
+        CHECK((first.W * first.V).sum() == doctest::Approx(1).epsilon(1e-12));
+        CHECK(std::abs((first.r * first.W * first.V).sum()) < 1e-12);
+        const auto second = corrected<0, 1, 2>(near);
+        CHECK((second.W * second.V).sum() == doctest::Approx(1).epsilon(1e-12));
+        CHECK(std::abs((second.r * second.W * second.V).sum()) < 1e-12);
+        CHECK(std::abs((second.r * second.r * second.W * second.V).sum()) < 1e-12);
+    }
+}
+
+TEST_CASE(
+    "A07: (21) errs by O(h²) with the first-order kernel, by O(h³) with the second-order one, O(h⁴) inside") {
+    const auto first = [](const CentredKernel& W_i) {
+        return value(Wave::B, corrected<0, 1>(W_i)) - Wave::B(W_i.x);
+    };
+    const auto second = [](const CentredKernel& W_i) {
+        return value(Wave::B, corrected<0, 1, 2>(W_i)) - Wave::B(W_i.x);
+    };
+    CHECK(order_in_h(1, first) == doctest::Approx(2).epsilon(0.05));
+    CHECK(order_in_h(0.5, first) == doctest::Approx(2).epsilon(0.05));
+    CHECK(order_in_h(1, second) == doctest::Approx(3).epsilon(0.05));
+    CHECK(order_in_h(0.5, second) == doctest::Approx(4).epsilon(0.05));
+}
+
+TEST_CASE("(24): the expansion to the second derivative leaves O(h³)") {
+    const auto left = [](const CentredKernel& W_i) {
+        const auto K_i = corrected<0, 1>(W_i);
+        return value(Wave::B, K_i) - expanded_value(Wave::B(W_i.x), Wave::DB(W_i.x), Wave::D2B(W_i.x), K_i);
+    };
+    CHECK(order_in_h(1, left) == doctest::Approx(3).epsilon(0.05));
+}
+
+TEST_CASE("the discrete (21) tends to the integral as δ/h → 0, for both orders") {
+    support::check_tends_to_integral(
+        [](const auto& line, const auto& near, const auto& neighbourhood, Index) {
+            return support::sum_of_values(classical_sph::value(corrected<0, 1>(neighbourhood)), line, near,
+                                          Wave::B);
+        },
+        [](const CentredKernel& W_i) { return value(Wave::B, corrected<0, 1>(W_i)); }, 0);
+    support::check_tends_to_integral(
+        [](const auto& line, const auto& near, const auto& neighbourhood, Index) {
+            return support::sum_of_values(classical_sph::value(corrected<0, 1, 2>(neighbourhood)), line, near,
+                                          Wave::B);
+        },
+        [](const CentredKernel& W_i) { return value(Wave::B, corrected<0, 1, 2>(W_i)); }, 0);
+}
+
+TEST_CASE("(25) tends to (10) with the corrected kernel as δ/h → 0") {
+    support::check_tends_to_integral(
+        [](const auto& line, const auto& near, const auto& neighbourhood, Index i) {
+            return support::sum_of_differences(first_derivative<1>(neighbourhood), line, near, i, Wave::B);
+        },
+        [](const CentredKernel& W_i) { return original::first_derivative(Wave::B, corrected<0, 1>(W_i)); },
+        1);
+    support::check_tends_to_integral(
+        [](const auto& line, const auto& near, const auto& neighbourhood, Index i) {
+            return support::sum_of_differences(first_derivative<2>(neighbourhood), line, near, i, Wave::B);
+        },
+        [](const CentredKernel& W_i) { return original::first_derivative(Wave::B, corrected<0, 1, 2>(W_i)); },
+        1);
+}
+
+TEST_CASE("(26) is (25) of (25)") {
+    const auto [line, smoothing] =
+        support::particles_of(60, {particles::Volumes::equal, particles::Gaussian{}, 1, 0.25});
+    const Column<double> B = line.x().unaryExpr(&Wave::B);
+    for (const char* name : {"rkpm_first_order", "rkpm_second_order"}) {
+        const auto D = formulation_named<double>(name).operators(line, smoothing).D;
+        const Column<double> twice = particles::apply(D, particles::apply(D, B));
+        CHECK((particles::apply(second_derivative(D), B) - twice).abs().maxCoeff() < 1e-9);
+    }
+}
+
+TEST_CASE("(22): two particles do not determine a quadratic correction") {
+    const particles::Neighbourhood<double> two{Column<double>::LinSpaced(2, 0, 1),
+                                               Column<double>::Constant(2, 0.5),
+                                               Column<double>::LinSpaced(2, 0, -1), Column<double>::Ones(2)};
+    CHECK_NOTHROW(corrected<0, 1>(two));
+    CHECK_THROWS_AS((corrected<0, 1, 2>(two)), particles::SingularNeighbourhood);
+}

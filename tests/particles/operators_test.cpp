@@ -1,0 +1,171 @@
+#include "particles/operators.hpp"
+
+#include <omp.h>
+
+#include "tests/support.hpp"
+
+using namespace particles;
+using asprone2010::formulations;
+using support::particles_of;
+
+namespace {
+
+bool same_bytes(const Operator<double>& a, const Operator<double>& b) {
+    return a.nonZeros() == b.nonZeros() &&
+           std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr()) &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr());
+}
+
+std::string message(std::string_view formulation, Index N,
+                    const asprone2010::numerical_tests::Discretisation& how) {
+    const auto [line, smoothing] = particles_of(N, how);
+    try {
+        static_cast<void>(asprone2010::formulation_named<double>(formulation).operators(line, smoothing));
+    } catch (const FailedComputation& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("operators: the weights of a row sum to zero to the last bit, on uniform and on random particles") {
+    for (const double perturbation : {0.0, 0.25, 0.45})
+        for (const auto volumes : {Volumes::equal, Volumes::partition}) {
+            const auto [line, smoothing] = particles_of(200, {volumes, Gaussian{}, 1, perturbation});
+            for (const auto& formulation : formulations<double>()) {
+                CAPTURE(formulation.name);
+                const auto operators = formulation.operators(line, smoothing);
+                for (const auto* D : {&operators.D, &operators.D2})
+                    for (Index i = 0; i < D->rows(); ++i) {
+                        double others = 0;
+                        for (Operator<double>::InnerIterator entry(*D, i); entry; ++entry)
+                            if (entry.col() != i) others += entry.value();
+                        REQUIRE(others + D->coeff(i, i) == 0);
+                    }
+            }
+        }
+}
+
+TEST_CASE("operators: applied to a constant they give zero exactly, however large it is") {
+    const auto [line, smoothing] = particles_of(100, {Volumes::equal, Gaussian{}, 1, 0.3});
+    for (const auto& formulation : formulations<double>()) {
+        const auto [D, D2] = formulation.operators(line, smoothing);
+        const Column<double> B = Column<double>::Constant(100, 1e10);
+        CHECK((apply(D, B) == 0).all());
+        CHECK((apply(D2, B) == 0).all());
+    }
+}
+
+TEST_CASE("operators: the same bytes on any number of threads") {
+    const auto [line, smoothing] = particles_of(3000, {Volumes::partition, Gaussian{}, 1.3, 0.25});
+    for (const auto& formulation : formulations<double>()) {
+        CAPTURE(formulation.name);
+        omp_set_num_threads(1);
+        const auto alone = formulation.operators(line, smoothing);
+        for (const int threads : {2, 3, 7}) {
+            omp_set_num_threads(threads);
+            const auto together = formulation.operators(line, smoothing);
+            CHECK(same_bytes(alone.D, together.D));
+            CHECK(same_bytes(alone.D2, together.D2));
+        }
+    }
+    omp_set_num_threads(omp_get_num_procs());
+}
+
+TEST_CASE("operators: rows are compressed and hold the neighbours in order") {
+    const auto [line, smoothing] = particles_of(60, {Volumes::equal, QuinticSpline{}, 1.5, 0.2});
+    const auto D = asprone2010::formulation_named<double>("modified_fpm").operators(line, smoothing).D;
+    CHECK(D.isCompressed());
+    for (Index i = 0; i < D.rows(); ++i) {
+        const Range near = within_reach(line, smoothing, i);
+        REQUIRE(D.outerIndexPtr()[i + 1] - D.outerIndexPtr()[i] == near.size());
+        for (Index k = 0; k < near.size(); ++k)
+            REQUIRE(D.innerIndexPtr()[D.outerIndexPtr()[i] + k] == near.first + k);
+    }
+}
+
+TEST_CASE("operators: applying through differences agrees with the matrix product") {
+    const auto [line, smoothing] = particles_of(80, {Volumes::equal, Gaussian{}, 1, 0.25});
+    const Column<double> B = line.x().unaryExpr(&support::Wave::B);
+    for (const auto& formulation : formulations<double>()) {
+        const auto [D, D2] = formulation.operators(line, smoothing);
+        CHECK((apply(D, B) - (D * B.matrix()).array()).abs().maxCoeff() < 1e-11);
+        CHECK((apply(D2, B) - (D2 * B.matrix()).array()).abs().maxCoeff() < 1e-8);
+    }
+}
+
+TEST_CASE("operators: mirrored particles give mirrored weights") {
+    const Column<double> x = perturbed_positions<double>(60, 0.25, 9);
+    const Column<double> mirrored = (1 - x).reverse();
+    for (const auto volumes : {Volumes::equal, Volumes::partition})
+        for (const auto& formulation : formulations<double>()) {
+            CAPTURE(formulation.name);
+            const Smoothing<double> smoothing(Gaussian{}, 1.0 / 59);
+            const auto [D, D2] = formulation.operators(line_at<double>(x, volumes), smoothing);
+            const auto [E, E2] = formulation.operators(line_at<double>(mirrored, volumes), smoothing);
+            const Eigen::MatrixXd first(D), second(D2), first_mirrored(E), second_mirrored(E2);
+            CHECK((first + first_mirrored.reverse()).cwiseAbs().maxCoeff() <
+                  1e-11 * first.cwiseAbs().maxCoeff());
+            CHECK((second - second_mirrored.reverse()).cwiseAbs().maxCoeff() <
+                  1e-11 * second.cwiseAbs().maxCoeff());
+        }
+}
+
+TEST_CASE("operators: stretching the line by a divides the k-th derivative by a to the k") {
+    const Column<double> x = perturbed_positions<double>(40, 0.25, 3);
+    for (const auto& formulation : formulations<double>()) {
+        CAPTURE(formulation.name);
+        const auto near = formulation.operators(line_at<double>(x, Volumes::equal),
+                                                Smoothing<double>(Gaussian{}, 1.0 / 39));
+        const auto far = formulation.operators(line_at<double>(x * 8, Volumes::equal),
+                                               Smoothing<double>(Gaussian{}, 8.0 / 39));
+        CHECK((Eigen::MatrixXd(near.D) - 8 * Eigen::MatrixXd(far.D)).cwiseAbs().maxCoeff() <
+              1e-12 * Eigen::MatrixXd(near.D).cwiseAbs().maxCoeff());
+        CHECK((Eigen::MatrixXd(near.D2) - 64 * Eigen::MatrixXd(far.D2)).cwiseAbs().maxCoeff() <
+              1e-12 * Eigen::MatrixXd(near.D2).cwiseAbs().maxCoeff());
+    }
+}
+
+TEST_CASE(
+    "operators: too few neighbours are an error with formulation, particle, count and a remedy that helps") {
+    CHECK(message("second_order_fpm", 20, {Volumes::equal, CubicSpline{}, 1, 0}) ==
+          "second_order_fpm: particle 0 (x = 0) has 2 neighbours within 2h, needs 4; try --smoothing 1.6");
+    CHECK(message("second_order_fpm", 20, {Volumes::equal, CubicSpline{}, 1.6, 0}) == "no error");
+    CHECK(message("chen_beraun", 20, {Volumes::equal, WendlandC2{}, 0.5, 0}) ==
+          "chen_beraun: particle 0 (x = 0) has 1 neighbour within 2h, needs 3; try --smoothing 1.1");
+    CHECK(message("chen_beraun", 20, {Volumes::equal, WendlandC2{}, 1.1, 0}) == "no error");
+    CHECK(message("second_order_fpm", 3, {}) ==
+          "second_order_fpm: particle 0 (x = 0) has 3 neighbours within 6h, needs 4; take at least 4 "
+          "particles");
+    CHECK(message("original", 2, {}) == "no error");
+}
+
+TEST_CASE(
+    "operators: neighbours that do not determine the local system are an error that says where they lie") {
+    Column<double> x(9);
+    x << 0, 0.1, 0.1 + 1e-12, 0.1 + 2e-12, 0.6, 0.65, 0.7, 0.75, 0.8;
+    const auto line = line_at<double>(x, Volumes::equal);
+    for (const char* name : {"rkpm_second_order", "modified_fpm", "second_order_fpm"}) {
+        std::string error;
+        try {
+            static_cast<void>(asprone2010::formulation_named<double>(name).operators(
+                line, Smoothing<double>(Gaussian{}, 0.05)));
+        } catch (const FailedComputation& failure) {
+            error = failure.what();
+        }
+        CAPTURE(error);
+        CHECK(error.starts_with(std::string(name) +
+                                ": particle 0 (x = 0) has 4 neighbours within 6h (0 on the left, 3 on the "
+                                "right), but the local system is singular (reciprocal condition "));
+        CHECK(error.ends_with("try --smoothing 1"));
+    }
+}
+
+TEST_CASE("operators: a formulation that fails at several particles names the first") {
+    omp_set_num_threads(4);
+    CHECK(message("modified_fpm", 2000, {Volumes::equal, CubicSpline{}, 0.4, 0}).find("particle 0 ") !=
+          std::string::npos);
+    omp_set_num_threads(omp_get_num_procs());
+}

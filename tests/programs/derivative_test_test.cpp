@@ -1,0 +1,56 @@
+#include <cmath>
+
+#include "report/table.hpp"
+#include "tests/programs/run.hpp"
+
+using programs::run;
+
+namespace {
+
+std::string without_comments(std::string csv) {
+    while (csv.starts_with("#")) csv.erase(0, csv.find('\n') + 1);
+    return csv;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "derivative_test: columns by their names, a row per formulation, particles, perturbation and seed") {
+    const auto [code, output, errors] = run("derivative_test --particles 10,20 --perturb 0,0.25 --seeds 2");
+    CHECK(code == 0);
+    CHECK(errors.empty());
+    CHECK(
+        without_comments(output).starts_with("formulation,particles,spacing,perturbation,seed,error_first,"
+                                             "error_second,error_first_interior,error_second_interior\n"));
+    const auto table = report::parsed(output);
+    CHECK(table.rows.size() == 7 * 2 * (1 + 2));
+}
+
+TEST_CASE("derivative_test: the published statement, from the program") {
+    const auto table =
+        report::parsed(run("derivative_test --formulation second_order_fpm --particles 320,1280").output);
+    const auto error = [&](std::size_t row) {
+        return std::get<double>(table.rows[row][table.column("error_second")]);
+    };
+    CHECK(error(1) == doctest::Approx(1.526e-6).epsilon(1e-3));
+    CHECK(std::log(error(0) / error(1)) / std::log(1279.0 / 319) == doctest::Approx(2).epsilon(0.005));
+}
+
+TEST_CASE("derivative_test: the same bytes on any number of threads, and in any locale") {
+    const std::string command = "derivative_test --particles 50,800 --perturb 0.25 --seeds 5";
+    const auto alone = run(command + " --threads 1");
+    CHECK(alone.code == 0);
+    CHECK(run(command + " --threads 2").output == alone.output);
+    CHECK(run(command + " --threads 5").output == alone.output);
+    CHECK(run("LC_ALL=de_DE.UTF-8 " + command).output == alone.output);
+}
+
+TEST_CASE("derivative_test: --output writes what the standard output shows") {
+    const programs::Folder folder;
+    const std::string file = folder.path + "_out.csv";
+    const auto [code, output, errors] = run("derivative_test --particles 10 --output " + file);
+    CHECK(code == 0);
+    CHECK(output.empty());
+    CHECK(report::read_whole(file) == run("derivative_test --particles 10").output);
+    std::filesystem::remove(file);
+}

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "report/file.hpp"
+
+/// Runs the programs that lie beside the test runner, as a user's shell does.
+namespace programs {
+
+struct Outcome {
+    int code;
+    std::string output, errors;
+};
+
+/// A folder for what a test writes, removed at the end.
+struct Folder {
+    std::string path =
+        (std::filesystem::temp_directory_path() / ("programs_test_" + std::to_string(getpid()))).string();
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() { std::filesystem::remove_all(path); }
+};
+
+/// \param command a program's name and its options
+inline Outcome run(const std::string& command) {
+    const Folder folder;
+    const std::string bin = std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
+    const std::string line = "PATH='" + bin + "':$PATH; " + command + " >'" + folder.path + "/output' 2>'" +
+                             folder.path + "/errors'";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, report::read_whole(folder.path + "/output"),
+            report::read_whole(folder.path + "/errors")};
+}
+
+/// A failure as users should see it: this exit code, one line on standard error that names the program, no output.
+inline void check_refused(const std::string& command, int code, const std::string& reason) {
+    CAPTURE(command);
+    const auto [found, output, errors] = run(command);
+    CAPTURE(errors);
+    CHECK(found == code);
+    CHECK(output.empty());
+    CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
+    CHECK(errors.starts_with(command.substr(0, command.find(' ')) + ": "));
+    CHECK(errors.find(reason) != std::string::npos);
+}
+
+}  // namespace programs

@@ -1,0 +1,30 @@
+#include "report/table.hpp"
+#include "tests/programs/run.hpp"
+
+using programs::run;
+
+TEST_CASE("vibration_test: columns by their names, 98 modes for each formulation and both references") {
+    const auto [code, output, errors] = run("vibration_test");
+    CHECK(code == 0);
+    CHECK(errors.empty());
+    const auto table = report::parsed(output);
+    for (const char* name :
+         {"formulation", "particles", "mode", "frequency", "frequency_imaginary", "exact", "ratio"})
+        CHECK_NOTHROW(static_cast<void>(table.column(name)));
+    CHECK(table.rows.size() == (7 + 2) * 98);
+    const auto ratio = [&](const std::string& formulation, double mode) {
+        for (const auto& row : table.rows)
+            if (std::get<std::string>(row[0]) == formulation &&
+                std::get<double>(row[table.column("mode")]) == mode)
+                return std::get<double>(row[table.column("ratio")]);
+        return 0.0;
+    };
+    CHECK(ratio("original", 1) == doctest::Approx(0.6636).epsilon(1e-3));
+    CHECK(ratio("second_order_fpm", 98) == doctest::Approx(0.5866).epsilon(1e-3));
+    CHECK(ratio("fem_lumped", 98) == doctest::Approx(0.6430).epsilon(1e-3));
+}
+
+TEST_CASE("vibration_test: what it cannot compute is refused") {
+    programs::check_refused("vibration_test --median", 2, "--median");
+    programs::check_refused("vibration_test --particles 2", 2, "take at least 3");
+}

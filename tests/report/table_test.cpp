@@ -1,0 +1,93 @@
+#include "report/table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "particles/errors.hpp"
+
+using namespace report;
+
+namespace {
+
+Table example() {
+    return {{"a title"},
+            {{"name"}, {"count"}, {"error", {1e-3, 1e-9}}},
+            {{std::string("first"), 10L, 1.23456789e-5}, {std::string("second"), 20L, std::monostate{}}}};
+}
+
+}  // namespace
+
+TEST_CASE("table: comments, tolerances, names, rows; digits follow the tolerance; empty cells stay empty") {
+    CHECK(csv(example()) ==
+          "# a title\n# tolerance of error: relative 0.001, absolute "
+          "1e-09\nname,count,error\nfirst,10,1.235e-05\nsecond,20,\n");
+}
+
+TEST_CASE("table: what is written is parsed") {
+    const Table table = parsed(csv(example()));
+    CHECK(table.comments == std::vector<std::string>{"a title"});
+    REQUIRE(table.columns.size() == 3);
+    CHECK(table.columns[2].name == "error");
+    CHECK(table.columns[2].tolerance.relative == 1e-3);
+    CHECK(table.columns[2].tolerance.absolute == 1e-9);
+    CHECK(table.columns[0].tolerance.relative == 0);
+    REQUIRE(table.rows.size() == 2);
+    CHECK(std::get<std::string>(table.rows[0][0]) == "first");
+    CHECK(std::get<double>(table.rows[0][1]) == 10);
+    CHECK(std::get<double>(table.rows[0][2]) == 1.235e-5);
+    CHECK(std::holds_alternative<std::monostate>(table.rows[1][2]));
+    CHECK(table.column("count") == 1);
+    CHECK_THROWS_AS(static_cast<void>(table.column("volume")), particles::FailedComputation);
+}
+
+TEST_CASE("table: a number that is not finite is never written") {
+    for (const double bad :
+         {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), std::nan("")}) {
+        Table table = example();
+        table.rows[1][2] = bad;
+        CHECK_THROWS_WITH_AS(csv(table), "row 2 (second): error is not finite", particles::FailedComputation);
+    }
+}
+
+TEST_CASE("table: rows of another length are refused when written and when read") {
+    Table table = example();
+    table.rows[0].pop_back();
+    CHECK_THROWS_WITH_AS(csv(table), "row 1 has 2 entries for 3 columns", particles::FailedComputation);
+    CHECK_THROWS_WITH_AS(parsed("a,b\n1,2\n1,2,3\n"), "line 3 has 3 entries for 2 columns",
+                         particles::FailedComputation);
+    CHECK_THROWS_AS(parsed("# nothing\n"), particles::FailedComputation);
+    CHECK_THROWS_AS(parsed("# tolerance of error: little\nerror\n"), particles::FailedComputation);
+}
+
+TEST_CASE("table: numbers within the first table's tolerance agree, others and other words do not") {
+    const Table committed = parsed(csv(example()));
+    const auto with = [&](Cell name, Cell error) {
+        Table table = committed;
+        table.rows[0][0] = std::move(name);
+        table.rows[0][2] = std::move(error);
+        return differences(committed, table);
+    };
+    CHECK(differences(committed, committed).empty());
+    CHECK(with(std::string("first"), 1.236e-5).empty());
+    CHECK(with(std::string("first"), 1.25e-5).size() == 1);
+    CHECK(with(std::string("first"), 1.25e-5)[0] == "row 1 (first), error: 1.235e-05 != 1.25e-05");
+    CHECK(with(std::string("fist"), 1.235e-5).size() == 1);
+    CHECK(with(std::string("first"), std::monostate{}).size() == 1);
+    Table shorter = committed;
+    shorter.rows.pop_back();
+    CHECK(differences(committed, shorter).size() == 1);
+    Table renamed = committed;
+    renamed.columns[2].name = "other";
+    CHECK(differences(committed, renamed).size() == 1);
+}
+
+TEST_CASE("table: a tolerance does not let a zero pass for a number") {
+    Table a = parsed(csv(example())), b = a;
+    a.rows[0][2] = 0.0;
+    b.rows[0][2] = 2e-9;
+    CHECK(differences(a, b).size() == 1);
+    b.rows[0][2] = 0.5e-9;
+    CHECK(differences(a, b).empty());
+}

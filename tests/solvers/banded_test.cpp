@@ -1,0 +1,71 @@
+#include "solvers/banded.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/SparseLU>
+#include <random>
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+Matrix random_banded(int N, int below, int above, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> entry(-1, 1);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < N; ++i)
+        for (int j = std::max(0, i - below); j <= std::min(N - 1, i + above); ++j)
+            entries.emplace_back(i, j, entry(random));
+    Matrix A(N, N);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A;
+}
+
+}  // namespace
+
+TEST_CASE("banded: agrees with Eigen's SparseLU, for unsymmetric bands and rows of very different size") {
+    for (const auto& [below, above] : {std::pair{1, 1}, {6, 6}, {12, 3}, {0, 4}, {5, 0}}) {
+        Matrix A = random_banded(200, below, above, 42);
+        for (int i = 0; i < 200; ++i) A.coeffRef(i, i) += 4;
+        A.row(0) *= 1e-7;
+        A.row(199) *= 1e6;
+        const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(200, -1, 2);
+        const Eigen::VectorXd b = A * x;
+        const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu{Eigen::SparseMatrix<double>(A)};
+        const Eigen::ArrayXd found = solvers::solve_banded(A, b);
+        CHECK((found - x.array()).abs().maxCoeff() < 1e-9);
+        CHECK((found - lu.solve(b).array()).abs().maxCoeff() < 1e-9);
+    }
+}
+
+TEST_CASE("banded: rows are exchanged where the diagonal is zero") {
+    Matrix A(3, 3);
+    const std::vector<Eigen::Triplet<double>> entries{{0, 1, 1}, {1, 0, 2}, {2, 2, 4}};
+    A.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::ArrayXd x = solvers::solve_banded(A, Eigen::Array3d(3, 4, 8));
+    CHECK(x[0] == 2);
+    CHECK(x[1] == 3);
+    CHECK(x[2] == 2);
+}
+
+TEST_CASE("banded: a singular system is reported, exactly and nearly singular ones, and what is not finite") {
+    Matrix A(3, 3);
+    std::vector<Eigen::Triplet<double>> entries{{0, 0, 1}, {0, 1, 2}, {1, 0, 2}, {1, 1, 4}, {2, 2, 1}};
+    A.setFromTriplets(entries.begin(), entries.end());
+    CHECK_THROWS_WITH_AS(
+        solvers::solve_banded(A, Eigen::Array3d::Ones()),
+        "the linear system of 3 unknowns is singular (reciprocal condition 0); take another formulation or "
+        "other particles",
+        particles::FailedComputation);
+    A.coeffRef(1, 1) = 4 * (1 + 3e-16);
+    CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()), particles::FailedComputation);
+    A.coeffRef(1, 1) = std::nan("");
+    CHECK_THROWS_WITH_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()),
+                         "the linear system has rows that are zero or not finite",
+                         particles::FailedComputation);
+    A.coeffRef(1, 1) = 5;
+    CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d(1, std::nan(""), 1)),
+                    particles::FailedComputation);
+    CHECK_THROWS_AS(solvers::solve_banded(Matrix(3, 3), Eigen::Array3d::Ones()),
+                    particles::FailedComputation);
+}
