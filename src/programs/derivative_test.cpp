@@ -20,10 +20,10 @@ int main(int argc, char** argv) {
             "interior: particles farther than the support's radius from both ends; empty where there are "
             "none",
             programs::described(options)};
-        table.columns = {{"error_first", {1e-6, 2e-11}},
-                         {"error_second", {1e-6, 5e-8}},
-                         {"error_first_interior", {1e-6, 2e-11}},
-                         {"error_second_interior", {1e-6, 5e-8}}};
+        table.columns = {{"error_first", {1e-6, 1e-12}},
+                         {"error_second", {1e-6, 2e-10}},
+                         {"error_first_interior", {1e-6, 1e-12}},
+                         {"error_second_interior", {1e-6, 2e-10}}};
         programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
             const auto [first, second, first_interior, second_interior] = derivative_test::errors(
                 formulation_named<double>(of.formulation), programs::discretise(options, of),

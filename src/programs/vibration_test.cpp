@@ -29,10 +29,10 @@ int main(int argc, char** argv) {
                          {"perturbation"},
                          {"seed"},
                          {"mode"},
-                         {"frequency", {1e-7, 1e-5}},
-                         {"frequency_imaginary", {1e-7, 1e-5}},
+                         {"frequency", {1e-8, 1e-8}},
+                         {"frequency_imaginary", {1e-8, 1e-8}},
                          {"exact"},
-                         {"ratio", {1e-7, 1e-6}}};
+                         {"ratio", {1e-8, 1e-9}}};
         for (const programs::Case& of : programs::cases(options, references)) {
             const auto discrete = programs::discretise(options, of);
             if (of.particles < 3)

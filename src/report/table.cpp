@@ -25,7 +25,7 @@ int digits(const Tolerance& tolerance) {
 std::string text(const Cell& cell, const Tolerance& tolerance) {
     if (const auto* word = std::get_if<std::string>(&cell)) return *word;
     if (const auto* integer = std::get_if<long>(&cell)) return std::to_string(*integer);
-    if (const auto* real = std::get_if<double>(&cell)) return shown(*real, digits(tolerance));
+    if (const auto* real = std::get_if<double>(&cell)) return shown(*real + 0.0, digits(tolerance));  // no minus zero
     return "";
 }
 
