@@ -61,7 +61,7 @@ verify: $(data) $(figures) ## compare the data with those that are committed, an
 	        sed "s|$(BUILD)/verify/committed.csv|$$table|" || failed=1
 	done
 	for figure in $(figures); do
-	    if [[ -s $$figure && $$(tail -n 1 "$$figure") == "</svg>" ]]; then echo "$$figure: whole"
+	    if head -n 1 "$$figure" | grep -q '<?xml' && tail -n 2 "$$figure" | grep -qx '</svg>'; then echo "$$figure: whole"
 	    else echo "$$figure: missing or not whole"; failed=1; fi
 	done
 	exit $$failed
