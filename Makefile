@@ -6,6 +6,7 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := help
+MAKEFLAGS += --jobs=$(shell nproc) --output-sync=target
 
 BUILD ?= build
 CXX ?= g++
@@ -70,8 +71,9 @@ clean: ## remove what was built
 	rm -rf $(BUILD)
 
 # Compilation. A change of the compiler or its flags rebuilds everything.
+# What is to be set up is set up first.
 flags := $(CXX) $(CXXFLAGS) $(CPPFLAGS) $(LDLIBS)
-$(BUILD)/flags: FORCE
+$(BUILD)/flags: FORCE $(filter setup,$(MAKECMDGOALS))
 	@mkdir -p $(@D)
 	[[ -f $@ && "$$(< $@)" == '$(flags)' ]] || echo '$(flags)' > $@
 .PHONY: FORCE
