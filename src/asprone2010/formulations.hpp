@@ -17,12 +17,12 @@ struct Formulation {
     std::string_view name;       ///< on the command line and in tables
     std::string_view section;    ///< of the paper
     std::string_view equations;  ///< of its discrete form
-    Index particles;             ///< that a neighbourhood must hold, the particle itself included
+    Index particles = 0;         ///< that a neighbourhood must hold, the particle itself included
 
     using Assemble = particles::Operators<Scalar> (*)(const Line<Scalar>&,
                                                       const particles::Smoothing<Scalar>&,
                                                       const particles::Requirement&);
-    Assemble assemble;
+    Assemble assemble = nullptr;
 
     /// D and D² of the formulation on a line of particles. Errors as for particles::assemble.
     [[nodiscard]] particles::Operators<Scalar> operators(

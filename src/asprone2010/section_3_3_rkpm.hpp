@@ -97,7 +97,7 @@ CentredKernel corrected(const CentredKernel& W_i) {
 template <int... p, class Scalar, int Size>
 Neighbourhood<Scalar, Size> corrected(const Neighbourhood<Scalar, Size>& near) {
     const auto& [r, W, DW, V] = near;
-    std::array<Scalar, 2 * std::max({p...}) + 1> moments;
+    std::array<Scalar, 2 * std::max({p...}) + 1> moments{};
     Column<Scalar, Size> terms = W * V;
     for (Scalar& moment : moments) {
         moment = terms.sum();

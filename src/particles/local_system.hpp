@@ -24,7 +24,7 @@ Eigen::Matrix<Scalar, n, n> inverse(const Eigen::Matrix<Scalar, n, n>& A) {
     const auto norm = [](const Eigen::Matrix<Scalar, n, n>& M) {
         return M.cwiseAbs().colwise().sum().maxCoeff();
     };
-    const Eigen::Matrix<Scalar, n, n> A_inverse = A.inverse();
+    Eigen::Matrix<Scalar, n, n> A_inverse = A.inverse();
     const Scalar reciprocal_condition = 1 / (norm(A) * norm(A_inverse));
     if (!(reciprocal_condition > 100 * std::numeric_limits<Scalar>::epsilon()))
         throw SingularNeighbourhood(A_inverse.allFinite() ? static_cast<double>(reciprocal_condition) : 0);

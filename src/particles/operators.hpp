@@ -40,14 +40,11 @@ struct Requirement {
 template <class Scalar>
 void annihilate_constants(Operator<Scalar>& D) {
     for_each_index(D.rows(), [&](Index i) {
+        Scalar& own = D.coeffRef(i, i);
+        own = 0;
         Scalar others(0);
-        Scalar* own = nullptr;
-        for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry)
-            if (entry.col() == i)
-                own = &entry.valueRef();
-            else
-                others += entry.value();
-        *own = -others;
+        for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry) others += entry.value();
+        own = -others;
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -48,10 +49,10 @@ std::string read_whole(const std::string& path) {
     const File file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) fail("read", path);
     std::string text;
-    char buffer[65536];
-    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get()))
-        text.append(buffer, count);
-    if (std::ferror(file.get())) fail("read", path);
+    std::array<char, 65536> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
+        text.append(buffer.data(), count);
+    if (std::ferror(file.get()) != 0) fail("read", path);
     return text;
 }
 

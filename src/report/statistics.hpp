@@ -4,6 +4,7 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -40,7 +41,8 @@ inline double observed_order(const std::vector<double>& spacing, const std::vect
         x.push_back(std::log(spacing[k]));
         y.push_back(std::log(error[k]));
     }
-    double intercept = 0, slope = 0, unused[4] = {};
+    double intercept = 0, slope = 0;
+    std::array<double, 4> unused{};
     gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &unused[0], &unused[1], &unused[2],
                    &unused[3]);
     if (!std::isfinite(slope))
