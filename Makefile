@@ -119,7 +119,7 @@ data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
 figures/%.svg: figures/%.gp figures/style.gp $(data)
-	@if ! gnuplot -e "output = '$@.tmp.svg'" $< 2> $(BUILD)/gnuplot.log || [[ -s $(BUILD)/gnuplot.log ]]; then
+	@if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $(BUILD)/gnuplot.log || [[ -s $(BUILD)/gnuplot.log ]]; then
 	    cat $(BUILD)/gnuplot.log >&2
 	    rm -f $@.tmp.svg
 	    exit 1
