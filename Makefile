@@ -16,15 +16,17 @@ CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpe
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3
 LDLIBS := -llapacke -lopenblas -lgsl
 
-PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libcli11-dev doctest-dev
+PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libcli11-dev doctest-dev \
+            doxygen libjs-mathjax chromium
 
-programs := derivative_test static_test vibration_test compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp)
+bin := $(BUILD)/bin
+programs := derivative_test static_test vibration_test claims walkthrough compare_tables
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/asprone2010/*.cpp src/report/*.cpp) src/programs/options.cpp)
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
-data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv)
+data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv claims.csv)
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data figures check verify clean
+.PHONY: help setup build data figures check claims doc check-doc verify clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -52,6 +54,15 @@ figures: $(figures) ## draw the figures of the paper into figures/
 
 check: $(BUILD)/bin/check build ## run the tests
 	@$(BUILD)/bin/check
+
+claims: data/asprone2010/claims.csv $(bin)/walkthrough ## decide every claim of the paper, and write the README's table
+	@$(bin)/walkthrough --write-readme
+	$(bin)/claims --count data/asprone2010/claims.csv
+
+doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
+
+check-doc: doc ## open every page of the walkthrough in a browser, and fail on what does not work
+	@bash doc/check $(BUILD)/doc/html
 
 verify: $(data) $(figures) ## compare the data with those that are committed, and look that the figures are whole
 	@mkdir -p $(BUILD)/verify
@@ -98,7 +109,6 @@ $(BUILD)/bin/check: $(tests) $(common)
 
 # Data: one command for each table.
 seeds := 51
-bin := $(BUILD)/bin
 data/asprone2010/figure_1.csv: $(bin)/derivative_test
 	$< --perturb 0,0.25 --seeds $(seeds) --median --output $@
 data/asprone2010/figure_2_left.csv: $(bin)/static_test
@@ -106,6 +116,8 @@ data/asprone2010/figure_2_left.csv: $(bin)/static_test
 data/asprone2010/figure_2_right.csv: $(bin)/static_test
 	$< --perturb 0.25 --seeds $(seeds) --median --output $@
 data/asprone2010/figure_3.csv: $(bin)/vibration_test
+	$< --output $@
+data/asprone2010/claims.csv: $(bin)/claims paper/claims.csv
 	$< --output $@
 $(data): | data/BUILD-INFO.txt
 data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
@@ -118,11 +130,28 @@ data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
 	} > $@
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
-figures/%.svg: figures/%.gp figures/style.gp $(data)
+figures/%.svg: figures/%.gp figures/style.gp $(filter-out %/claims.csv,$(data))
 	@if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $(BUILD)/gnuplot.log || [[ -s $(BUILD)/gnuplot.log ]]; then
 	    cat $(BUILD)/gnuplot.log >&2
 	    rm -f $@.tmp.svg
 	    exit 1
 	fi
 	mv $@.tmp.svg $@
+	echo "$@"
+
+# The walkthrough: generated pages, Doxygen (whose every warning is an error), and a copy of the parts of MathJax that it needs.
+mathjax := /usr/share/javascript/mathjax
+walkthrough := $(wildcard doc/* paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
+$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough data/asprone2010/claims.csv $(figures)
+	@rm -rf $(BUILD)/doc
+	$(bin)/walkthrough --pages $(BUILD)/doc/pages
+	BUILD=$(BUILD) doxygen doc/Doxyfile
+	rm -f $(BUILD)/doc/html/*-members.html $(BUILD)/doc/html/dir_*.html
+	sed -i -E 's| (Namespace\|Struct\|Class\|Struct Template\|Class Template) Reference</div>|</div>|; s@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
+	if [[ -s $(BUILD)/doc/warnings.log ]]; then cat $(BUILD)/doc/warnings.log >&2; rm -rf $(BUILD)/doc/html; exit 1; fi
+	for part in MathJax.js extensions/tex2jax.js extensions/TeX extensions/MathEvents.js jax/element jax/input/TeX \
+	            jax/output/SVG/jax.js jax/output/SVG/config.js jax/output/SVG/autoload jax/output/SVG/fonts/TeX; do
+	    mkdir -p "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
+	    cp -rL "$(mathjax)/$$part" "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
+	done
 	echo "$@"

@@ -5,7 +5,7 @@
 #include "particles/operators.hpp"
 
 /// Asprone, Auricchio, Manfredi, Prota, Reali, Sangalli (2010), *Particle Methods for a 1D Elastic Model Problem: Error
-/// Analysis and Development of a Second-Order Accurate Formulation*, CMES 62(1), 1–21.
+/// Analysis and Development of a Second-Order Accurate Formulation*, CMES 62\eq{A1}, 1–21.
 namespace asprone2010 {
 
 using particles::CentredKernel;
@@ -37,6 +37,8 @@ using particles::Operator;
 /// Departures from the print: it calls the support's diameter the smoothing length h, yet Section 5 sets h to the particle
 /// spacing δ, with which a support of diameter h would hold no neighbour. Here h is the Gaussian's length in
 /// \f$e^{-((x-x_i)/h)^2}\f$, and the support's radius is a property of the kernel.
+///
+/// Measured claims of this section: \claim{A01a}, \claim{A01b}, \claim{A01c}, \claim{A01d}.
 namespace classical_sph {
 
 /// Dirac's delta at \f$x_i\f$ picks the value there: all that follows approximates this. \defeq{A1}

@@ -6,14 +6,17 @@ namespace asprone2010 {
 
 /// Section 3.1, the original formulation (Gingold and Monaghan): the derivative is moved onto the kernel.
 ///
-/// Inside the domain the boundary term of (6) is negligible and (7) is a fair approximation. Near the boundary it is
-/// not; (10) repairs constants, and constants only: at an end, (11) reaches half the derivative whatever δ is.
+/// Inside the domain the boundary term of \eq{A6} is negligible and \eq{A7} is a fair approximation. Near the boundary it is
+/// not; \eq{A10} repairs constants, and constants only: at an end, \eq{A11} reaches half the derivative whatever δ is.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$DB(x_i)\f$ | `first_derivative` | approximation of the first derivative |
 /// | \f$D^2B(x_i)\f$ | `second_derivative` | approximation of the second derivative |
 /// | \f$n\f$ | −1, +1 | outward normal at the ends of Ω |
+///
+/// Measured claims of this section: \claim{A02a}, \claim{A02b}, \claim{A02c}, \claim{A02d}, \claim{A02e},
+/// \claim{A03a}, \claim{A03b}.
 namespace original {
 
 /// The first step applied to the derivative. \defeq{A5}
@@ -45,7 +48,7 @@ Column<Scalar, Size> interior_derivative(const Neighbourhood<Scalar, Size>& near
     return -DW * V;
 }
 
-/// What (7) needs to be exact on constants; it holds where \f$W_i\f$ vanishes on the boundary. \defeq{A9}
+/// What \eq{A7} needs to be exact on constants; it holds where \f$W_i\f$ vanishes on the boundary. \defeq{A9}
 /// \f[ \int_\Omega DW_i = 0 \tag{9} \f]
 /// \return the integral [1/length]; it equals \f$W_i\f$ at the last end of Ω minus \f$W_i\f$ at the first
 inline double total_derivative(const CentredKernel& W_i) {
@@ -70,7 +73,7 @@ Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
 
 /// The second derivative: the first applied twice. \defeq{A12}
 /// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DW_i(x_j)\,\Delta\Omega_j \tag{12} \f]
-/// \param D the operator of (11) for all particles
+/// \param D the operator of \eq{A11} for all particles
 template <class Scalar>
 Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
     return particles::applied_twice(D);

@@ -9,9 +9,12 @@ namespace asprone2010 {
 /// The first-order expansion against \f$DW_i\f$ gives DB, the second-order one against \f$W_i\f$ gives D²B, which takes DB
 /// from the former.
 ///
-/// Departures from the print: (14) puts the error e on its right-hand side, so that DB is the quotient *minus* e over the
-/// denominator; (15) and (19) print plus. And (20) errs by O(h) at the boundary only if DB is exact there: with DB from
-/// (16), whose error is O(h) and which (20) divides by h, D²B errs by a constant.
+/// Departures from the print: \eq{A14} puts the error e on its right-hand side, so that DB is the quotient *minus* e over the
+/// denominator; \eq{A15} and \eq{A19} print plus. And \eq{A20} errs by O(h) at the boundary only if DB is exact there: with DB from
+/// \eq{A16}, whose error is O(h) and which \eq{A20} divides by h, D²B errs by a constant.
+///
+/// Measured claims of this section: \claim{A04a}, \claim{A04b}, \claim{A04c}, \claim{A05}, \claim{A06a},
+/// \claim{A06b}, \claim{A25}, \claim{A26a}, \claim{A26b}.
 namespace chen_beraun {
 
 /// Taylor's expansion to the first derivative. \defeq{A13}
@@ -68,7 +71,7 @@ inline double second_remainder(const Function& B, double DB_i, double D2B_i, con
 /// Solved for the second derivative, e neglected. \defeq{A19}
 /// \f[ D^2B(x_i) \cong \frac{\int_\Omega (B(x)-B(x_i))\,W_i(x)\,d\Omega - DB(x_i)\int_\Omega (x-x_i)\,W_i(x)\,d\Omega}
 ///                          {\frac12\int_\Omega (x-x_i)^2\,W_i(x)\,d\Omega} \tag{19} \f]
-/// \param DB_i the first derivative at \f$x_i\f$, exact or from (15)
+/// \param DB_i the first derivative at \f$x_i\f$, exact or from \eq{A15}
 inline double second_derivative(const Function& B, double DB_i, const CentredKernel& W_i) {
     const double projected = W_i.integral([&](double x) { return (B(x) - B(W_i.x)) * W_i.W(x); });
     return (projected - DB_i * W_i.moment(1, W_i.W)) / (W_i.moment(2, W_i.W) / 2);
@@ -88,7 +91,7 @@ Column<Scalar, Size> second_derivative(const Neighbourhood<Scalar, Size>& near,
     return (W * V - D * (r * W * V).sum()) / (nonzero_sum(r * r * W * V) / 2);
 }
 
-/// Both derivatives of the formulation: (16), and (20) with DB from (16).
+/// Both derivatives of the formulation: \eq{A16}, and \eq{A20} with DB from \eq{A16}.
 template <class Scalar, int Size>
 Derivatives<Scalar, Size> derivatives(const Neighbourhood<Scalar, Size>& near) {
     const Column<Scalar, Size> D = first_derivative(near);

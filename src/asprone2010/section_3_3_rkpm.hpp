@@ -16,11 +16,14 @@ namespace asprone2010 {
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
-/// | \f$C_i\f$ | `Correction<p...>` | polynomial with the exponents p of \f$(x-x_i)/h\f$ |
-/// | \f$a_i, b_i, c_i\f$ | `C.c[0], C.c[1], C.c[2]` | its coefficients |
+/// | \f$C_i\f$ | `correction<p...>` | polynomial with the exponents p of \f$(x-x_i)/h\f$ |
+/// | \f$a_i, b_i, c_i\f$ | `c[0], c[1], c[2]` | its coefficients |
 /// | \f$K_i,\ DK_i\f$ | `K`, `DK` | corrected kernel and its derivative |
 ///
 /// Departures from the print: \f$C_i\f$ is written in the scaled offset, which changes the coefficients and not \f$K_i\f$.
+///
+/// Measured claims of this section: \claim{A07a}, \claim{A07b}, \claim{A07c}, \claim{A07d}, \claim{A08a},
+/// \claim{A08b}.
 namespace rkpm {
 
 /// \f$s^n\f$ of a number or, entry by entry, of an array.
@@ -37,56 +40,51 @@ T power(const T& s) {
 /// The correction polynomial, here with any set of exponents: 0, 1 for the first order, 0, 1, 2 for the second.
 /// \defeq{A23}
 /// \f[ C_i(x) = a_i + b_i (x - x_i) + c_i (x - x_i)^2 + \dots \tag{23} \f]
-template <class Scalar, int... p>
-struct Correction {
-    static constexpr int terms = sizeof...(p);
-    static constexpr std::array<int, sizeof...(p)> exponents{p...};
+/// \tparam p the exponents
+/// \param c the coefficients, one for each exponent
+/// \param s scaled offset \f$(x - x_i)/h\f$, a number or an array
+template <int... p, class Coefficients, class T>
+T correction(const Coefficients& c, const T& s) {
+    Index k = 0;
+    T sum = s * 0;
+    ((sum += c[k++] * power<p>(s)), ...);
+    return sum;
+}
 
-    Eigen::Matrix<Scalar, terms, 1> c;
+/// Derivative of the correction polynomial with respect to s.
+template <int... p, class Coefficients, class T>
+T correction_derivative(const Coefficients& c, const T& s) {
+    Index k = 0;
+    T sum = s * 0;
+    ((sum += (c[k++] * p) * power<(p > 0 ? p - 1 : 0)>(s)), ...);
+    return sum;
+}
 
-    /// \f$C(s)\f$ for s, a number or an array.
-    template <class T>
-    [[nodiscard]] T operator()(const T& s) const {
-        int k = 0;
-        T sum = s * 0;
-        ((sum += c[k++] * power<p>(s)), ...);
-        return sum;
-    }
-
-    /// \f$C'(s)\f$.
-    template <class T>
-    [[nodiscard]] T derivative(const T& s) const {
-        int k = 0;
-        T sum = s * 0;
-        ((sum += (c[k++] * p) * power<(p > 0 ? p - 1 : 0)>(s)), ...);
-        return sum;
-    }
-
-    /// The polynomial whose product with a kernel has the p-th moments 1, 0, 0, …
-    /// \param moment a function of k: the k-th moment of the kernel in units of h
-    /// \throws SingularNeighbourhood where the particles do not determine the coefficients
-    template <class Moment>
-    static Correction of(const Moment& moment) {
-        Eigen::Matrix<Scalar, terms, terms> M;
-        for (std::size_t k = 0; k < exponents.size(); ++k)
-            for (std::size_t l = 0; l < exponents.size(); ++l)
-                M(static_cast<Index>(k), static_cast<Index>(l)) = moment(exponents[k] + exponents[l]);
-        return {inverse(M).col(0)};
-    }
-};
+/// The coefficients with which the p-th moments of \f$K_i\f$ become 1, 0, 0, …: the first column of \f$M^{-1}\f$.
+/// \param moment a function of k: the k-th moment of the kernel in units of h
+/// \throws SingularNeighbourhood where the particles do not determine the coefficients
+template <class Scalar, int... p, class Moment>
+Eigen::Matrix<Scalar, sizeof...(p), 1> correction_coefficients(const Moment& moment) {
+    constexpr std::array exponents{p...};
+    Eigen::Matrix<Scalar, sizeof...(p), sizeof...(p)> M;
+    for (std::size_t k = 0; k < exponents.size(); ++k)
+        for (std::size_t l = 0; l < exponents.size(); ++l)
+            M(static_cast<Index>(k), static_cast<Index>(l)) = moment(exponents[k] + exponents[l]);
+    return inverse(M).col(0);
+}
 
 /// The corrected kernel, for the integral forms. \defeq{A22}
 /// \f[ K_i(x) = C_i(x) \cdot W_i(x) \tag{22} \f]
 /// \tparam p the exponents of \f$C_i\f$, which are also the moments that are imposed
 template <int... p>
 CentredKernel corrected(const CentredKernel& W_i) {
-    const auto C =
-        Correction<double, p...>::of([&](int k) { return W_i.moment(k, W_i.W) / std::pow(W_i.h, k); });
+    const auto c = correction_coefficients<double, p...>(
+        [&](int k) { return W_i.moment(k, W_i.W) / std::pow(W_i.h, k); });
     CentredKernel K_i = W_i;
-    K_i.W = [C, W_i](double x) { return C((x - W_i.x) / W_i.h) * W_i.W(x); };
-    K_i.DW = [C, W_i](double x) {
+    K_i.W = [c, W_i](double x) { return correction<p...>(c, (x - W_i.x) / W_i.h) * W_i.W(x); };
+    K_i.DW = [c, W_i](double x) {
         const double s = (x - W_i.x) / W_i.h;
-        return C.derivative(s) / W_i.h * W_i.W(x) + C(s) * W_i.DW(x);
+        return correction_derivative<p...>(c, s) / W_i.h * W_i.W(x) + correction<p...>(c, s) * W_i.DW(x);
     };
     return K_i;
 }
@@ -103,9 +101,10 @@ Neighbourhood<Scalar, Size> corrected(const Neighbourhood<Scalar, Size>& near) {
         moment = terms.sum();
         terms *= r;
     }
-    const auto C = Correction<Scalar, p...>::of([&](int k) { return moments[static_cast<std::size_t>(k)]; });
-    const Column<Scalar, Size> C_at = C(r);
-    return {r, C_at * W, C.derivative(r) * W + C_at * DW, V};
+    const auto c =
+        correction_coefficients<Scalar, p...>([&](int k) { return moments[static_cast<std::size_t>(k)]; });
+    const Column<Scalar, Size> C = correction<p...>(c, r);
+    return {r, C * W, correction_derivative<p...>(c, r) * W + C * DW, V};
 }
 
 /// The improved representation of a function. \defeq{A21}
@@ -115,7 +114,7 @@ inline double value(const Function& B, const CentredKernel& K_i) {
     return classical_sph::value(B, K_i);
 }
 
-/// Taylor's expansion against \f$K_i\f$, up to the second derivative: what (21) represents. \defeq{A24}
+/// Taylor's expansion against \f$K_i\f$, up to the second derivative: what \eq{A21} represents. \defeq{A24}
 /// \f[ \int_\Omega B\,K_i\,d\Omega = B(x_i)\int_\Omega K_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,K_i\,d\Omega
 ///     + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,K_i\,d\Omega + \dots \tag{24} \f]
 inline double expanded_value(double B_i, double DB_i, double D2B_i, const CentredKernel& K_i) {
@@ -123,7 +122,7 @@ inline double expanded_value(double B_i, double DB_i, double D2B_i, const Centre
     return B_i * K_i.moment(0, K) + DB_i * K_i.moment(1, K) + D2B_i * K_i.moment(2, K) / 2;
 }
 
-/// First derivative with the corrected kernel, as (11). \defeq{A25}
+/// First derivative with the corrected kernel, as \eq{A11}. \defeq{A25}
 /// \f[ DB(x_i) \cong \sum_{j=1}^N [B(x_i) - B(x_j)]\,DK_i(x_j)\,\Delta\Omega_j \tag{25} \f]
 /// \tparam order 1 or 2
 /// \param near the particles in the support of \f$W_i\f$
@@ -142,9 +141,9 @@ Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
     return -DK * V;
 }
 
-/// Second derivative: the first applied twice, as (12). \defeq{A26}
+/// Second derivative: the first applied twice, as \eq{A12}. \defeq{A26}
 /// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DK_i(x_j)\,\Delta\Omega_j \tag{26} \f]
-/// \param D the operator of (25) for all particles
+/// \param D the operator of \eq{A25} for all particles
 template <class Scalar>
 Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
     return particles::applied_twice(D);

@@ -13,8 +13,10 @@ namespace asprone2010 {
 /// | \f$A\f$ | `matrix` | moments of \f$W_i\f$ and \f$DW_i\f$ |
 /// | \f$e'_1, e'_2\f$ | `remainders` | what the truncated expansion leaves |
 ///
-/// Departures from the print: (27), (28) and (30) add the remainders to the projections of B. With the remainders as what
-/// the expansion leaves of B (as in (14)) they are subtracted; orders are not affected.
+/// Departures from the print: \eq{A27}, \eq{A28} and \eq{A30} add the remainders to the projections of B. With the remainders as what
+/// the expansion leaves of B (as in \eq{A14}) they are subtracted; orders are not affected.
+///
+/// Measured claims of this section: \claim{A09a}, \claim{A09b}, \claim{A09c}, \claim{A09d}, \claim{A09e}.
 namespace fpm {
 
 /// Expansion against \f$W_i\f$; the remainder \f$e'_1\f$ is the projection of B minus the left-hand side. \defeq{A27}
@@ -63,13 +65,13 @@ inline Eigen::Vector2d value_and_derivative(const Function& B, const CentredKern
     return inverse(matrix(W_i)) * projected;
 }
 
-/// What (30) returns: weights on \f$B(x_j)\f$.
+/// What \eq{A30} returns: weights on \f$B(x_j)\f$.
 template <class Scalar, int Size = Eigen::Dynamic>
 struct ValueAndDerivative {
     Column<Scalar, Size> value, first;  ///< in units of 1 and 1/h
 };
 
-/// (30) as sums over particles.
+/// \eq{A30} as sums over particles.
 /// \param near the particles in the support of \f$W_i\f$
 /// \throws SingularNeighbourhood where the particles do not determine the two unknowns
 template <class Scalar, int Size>
@@ -80,7 +82,7 @@ ValueAndDerivative<Scalar, Size> value_and_derivative(const Neighbourhood<Scalar
             (A_inverse(1, 0) * W + A_inverse(1, 1) * DW) * V};
 }
 
-/// The first derivative of this formulation. The second row of (30) annihilates constants, so that its weights serve
+/// The first derivative of this formulation. The second row of \eq{A30} annihilates constants, so that its weights serve
 /// differences as well.
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
 template <class Scalar, int Size>
@@ -98,7 +100,7 @@ inline Eigen::Vector2d interior_value_and_derivative(const Function& B, const Ce
             W_i.integral([&](double x) { return B(x) * W_i.DW(x); }) / A(1, 1)};
 }
 
-/// Error of (30) without remainders, computed minus exact: O(h²) for B everywhere, for DB O(h²) inside and O(h) at the
+/// Error of \eq{A30} without remainders, computed minus exact: O(h²) for B everywhere, for DB O(h²) inside and O(h) at the
 /// boundary. \defeq{A32}
 /// \f[ \begin{bmatrix} A_{11} & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
 ///     \begin{bmatrix} e'_1 \\ e'_2 \end{bmatrix} = \begin{bmatrix} O(h^2) \\ O(h) \end{bmatrix} \tag{32} \f]
@@ -108,7 +110,7 @@ inline Eigen::Vector2d error(const Function& B, double DB_i, const CentredKernel
 }
 
 /// The second derivative, the procedure reiterated: it does not converge at the boundary.
-/// \param D the operator of (30) for all particles
+/// \param D the operator of \eq{A30} for all particles
 template <class Scalar>
 Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
     return particles::applied_twice(D);

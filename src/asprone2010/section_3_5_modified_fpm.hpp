@@ -14,6 +14,8 @@ namespace asprone2010 {
 /// | \f$e''_1, e''_2\f$ | `first_remainder`, `second_remainder` | what the truncated expansion leaves |
 ///
 /// Departures from the print: the remainders are subtracted, as in Section 3.4.
+///
+/// Measured claims of this section: \claim{A10a}, \claim{A10b}, \claim{A10c}, \claim{A10d}.
 namespace modified_fpm {
 
 /// Expansion against \f$W_i\f$; returns the remainder \f$e''_1\f$. \defeq{A33}
@@ -62,7 +64,7 @@ inline Eigen::Vector2d derivatives(const Function& B, const CentredKernel& W_i) 
     return inverse(matrix(W_i)) * projected;
 }
 
-/// (36) as sums over particles: both derivatives of this formulation.
+/// \eq{A36} as sums over particles: both derivatives of this formulation.
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
 /// \throws SingularNeighbourhood where the particles do not determine the two unknowns
@@ -85,7 +87,7 @@ inline Eigen::Vector2d interior_derivatives(const Function& B, const CentredKern
             W_i.integral([&](double x) { return (B(x) - B(W_i.x)) * W_i.W(x); }) / A(0, 1)};
 }
 
-/// Error of (36) without remainders, computed minus exact: at the boundary O(h²) for DB and O(h) for D²B, inside O(h²) for
+/// Error of \eq{A36} without remainders, computed minus exact: at the boundary O(h²) for DB and O(h) for D²B, inside O(h²) for
 /// both. \defeq{A38}
 /// \f[ \begin{bmatrix} A_{11} & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
 ///     \begin{bmatrix} e''_1 \\ e''_2 \end{bmatrix} = \begin{bmatrix} O(h^2) \\ O(h) \end{bmatrix} \tag{38} \f]

@@ -13,21 +13,21 @@ namespace asprone2010 {
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
-/// | \f$a, b, c\f$ | `C.c[2], C.c[1], C.c[0]` | coefficients of the correction polynomial |
+/// | \f$a, b, c\f$ | `c[2], c[1], c[0]` | coefficients of the correction polynomial |
 /// | \f$K_i,\ DK_i\f$ | `K_i.W`, `K_i.DW` | corrected kernel and its derivative |
 /// | \f$e'''_1, e'''_2\f$ | `modified_fpm::first_remainder(…, K_i)` … | what the truncated expansion leaves |
 ///
 /// Departures from the print: far from the boundary \f$K_i\f$ is \f$W_i\f$ divided by its discrete integral, which on the
-/// uniform lattice with h = δ is 1.0001 and not 1. The factor cancels in (43).
+/// uniform lattice with h = δ is 1.0001 and not 1. The factor cancels in \eq{A43}.
+///
+/// Measured claims of this section: \claim{A11a}, \claim{A11b}, \claim{A12}, \claim{A13}, \claim{A14a},
+/// \claim{A14b}, \claim{A14c}.
 namespace second_order_fpm {
 
-/// The correction polynomial: exponents 3, 1 and 0 of the scaled offset. \defeq{A40}
-/// \f[ C_i(x) = a\Big(\frac{x-x_i}{h}\Big)^3 + b\,\frac{x-x_i}{h} + c \tag{40} \f]
-template <class Scalar>
-using Correction = rkpm::Correction<Scalar, 0, 1, 3>;
-
-/// The corrected kernel, for the integral forms; its coefficients follow from (41). \defeq{A39}
+/// The corrected kernel, for the integral forms; its coefficients a, b, c follow from \eq{A41}. \defeq{A39}
 /// \f[ K_i(x) = C_i(x) \cdot W_i(x) \tag{39} \f]
+/// The polynomial has the exponents 0, 1 and 3 of the scaled offset. \defeq{A40}
+/// \f[ C_i(x) = a\Big(\frac{x-x_i}{h}\Big)^3 + b\,\frac{x-x_i}{h} + c \tag{40} \f]
 inline CentredKernel corrected(const CentredKernel& W_i) {
     return rkpm::corrected<0, 1, 3>(W_i);
 }
@@ -60,7 +60,7 @@ inline Eigen::Vector2d derivatives(const Function& B, const CentredKernel& K_i) 
     return modified_fpm::derivatives(B, K_i);
 }
 
-/// (43) as sums over particles: both derivatives of this formulation.
+/// \eq{A43} as sums over particles: both derivatives of this formulation.
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
 /// \throws SingularNeighbourhood where the particles do not determine K or the two unknowns
@@ -69,7 +69,7 @@ Derivatives<Scalar, Size> derivatives(const Neighbourhood<Scalar, Size>& near) {
     return modified_fpm::derivatives(corrected(near));
 }
 
-/// Error of (43) without remainders, computed minus exact: O(h²) for both derivatives, everywhere. \defeq{A44}
+/// Error of \eq{A43} without remainders, computed minus exact: O(h²) for both derivatives, everywhere. \defeq{A44}
 /// \f[ \begin{bmatrix} 0 & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
 ///     \begin{bmatrix} e'''_1 \\ e'''_2 \end{bmatrix}
 ///     = \begin{bmatrix} -\dfrac{A_{22}}{A_{12}A_{21}} & \dfrac{1}{A_{21}} \\[2ex] \dfrac{1}{A_{12}} & 0 \end{bmatrix}

@@ -7,8 +7,13 @@ namespace asprone2010 {
 
 /// Section 5.2, the static test: an elastic rod of unit length and stiffness under a body load. Figure 2.
 ///
-/// Equation (45) is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
+/// Equation \eq{A45} is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
 /// the formulation's own operators.
+///
+/// \image html figure_2.svg "Infinity norm of the error of the displacement, on uniform and on perturbed particles."
+///
+/// Measured claims of this section: \claim{A17a}, \claim{A17b}, \claim{A17c}, \claim{A17d}, \claim{A17e},
+/// \claim{A17f}, \claim{A18a}, \claim{A18b}, \claim{A19}, \claim{A20}.
 namespace static_test {
 
 /// A displacement with its first and second derivatives: it defines the load and the end values of a problem.
@@ -16,7 +21,7 @@ struct Exact {
     Function u, Du, D2u;
 };
 
-/// The paper's case: f = eˣ, u(0) = u′(1) = 0, so that \f$u = -e^x + ex + 1\f$.
+/// The paper's case: f = eˣ, u(0) = u′\eq{A1} = 0, so that \f$u = -e^x + ex + 1\f$.
 inline Exact exponential_load() {
     return {[](double x) { return -std::exp(x) + std::exp(1.0) * x + 1; },
             [](double x) { return -std::exp(x) + std::exp(1.0); }, [](double x) { return -std::exp(x); }};
@@ -24,15 +29,17 @@ inline Exact exponential_load() {
 
 /// Equilibrium at the inner particles, between one row for each end. \defeq{A45}
 /// \f[ -u'' = f \tag{45} \f]
+/// \param D2 second derivative at N particles [1/length²]
+/// \param D first derivative, of which the last row is taken [1/length]
 /// \return the system's matrix: \f$u(x_1)\f$, then \f$-D^2u\f$, then \f$Du(x_N)\f$
-inline Operator<double> system(const particles::Operators<double>& operators) {
-    const Index N = operators.D.rows();
-    Operator<double> A = -operators.D2;
+inline Operator<double> system(const Operator<double>& D2, const Operator<double>& D) {
+    const Index N = D2.rows();
+    Operator<double> A = -D2;
     const auto replace_row = [&](Index i, const auto& row) {
         for (Operator<double>::InnerIterator entry(A, i); entry; ++entry) entry.valueRef() = row(entry.col());
     };
     replace_row(0, [](Index j) { return j == 0 ? 1.0 : 0.0; });
-    replace_row(N - 1, [&](Index j) { return operators.D.coeff(N - 1, j); });
+    replace_row(N - 1, [&](Index j) { return D.coeff(N - 1, j); });
     return A;
 }
 
@@ -46,19 +53,27 @@ inline Column<double> right_hand_side(const Line<double>& line, const Exact& exa
 }
 
 /// Displacements at the particles.
+/// \param end the formulation whose first derivative is imposed at the last particle
 /// \throws particles::FailedComputation where the system is singular
-inline Column<double> displacement(const Formulation<double>& formulation,
+inline Column<double> displacement(const Formulation<double>& formulation, const Formulation<double>& end,
                                    const numerical_tests::Particles<double>& discrete, const Exact& exact) {
     const auto& [line, smoothing] = discrete;
-    return solvers::solve_banded(system(formulation.operators(line, smoothing)),
-                                 right_hand_side(line, exact));
+    const auto [D, D2] = formulation.operators(line, smoothing);
+    const Operator<double> A = system(D2, &end == &formulation ? D : end.operators(line, smoothing).D);
+    return solvers::solve_banded(A, right_hand_side(line, exact));
 }
 
 /// Infinity norm of the displacement's error.
+inline double error(const Formulation<double>& formulation, const Formulation<double>& end,
+                    const numerical_tests::Particles<double>& discrete, const Exact& exact) {
+    const Column<double> u = displacement(formulation, end, discrete, exact);
+    return numerical_tests::distance<double>(u, discrete.line.x().unaryExpr(exact.u));
+}
+
+/// The same with the formulation's own derivative at the last particle, as in the paper.
 inline double error(const Formulation<double>& formulation,
                     const numerical_tests::Particles<double>& discrete, const Exact& exact) {
-    const Column<double> u = displacement(formulation, discrete, exact);
-    return numerical_tests::distance<double>(u, discrete.line.x().unaryExpr(exact.u));
+    return error(formulation, formulation, discrete, exact);
 }
 
 }  // namespace static_test

@@ -15,9 +15,15 @@ namespace asprone2010 {
 /// | \f$\omega_n\f$ | `frequency` | circular frequency of mode n |
 /// | \f$K\f$ | `stiffness` | D² without the rows and columns of the fixed ends |
 ///
-/// Departures from the print: (47) and (48) carry the wrong sign. Only with the signs below do they give (49) and (50); as
-/// printed, (47) with \f$x = \sin(\omega X)e^{i\omega t}\f$ leaves \f$-2\omega^2 x\f$. And the eigenvalues of K in (52)
+/// Departures from the print: \eq{A47} and \eq{A48} carry the wrong sign. Only with the signs below do they give \eq{A49} and \eq{A50}; as
+/// printed, \eq{A47} with \f$x = \sin(\omega X)e^{i\omega t}\f$ leaves \f$-2\omega^2 x\f$. And the eigenvalues of K in \eq{A52}
 /// approximate \f$-\omega_n^2\f$. N particles have N − 2 modes, since two are fixed.
+///
+/// \image html figure_3.svg "Frequencies over exact frequencies, 100 particles."
+///
+/// Measured claims of this section: \claim{A21}, \claim{A22a}, \claim{A22b}, \claim{A22c}, \claim{A22d},
+/// \claim{A22e}, \claim{A22f}, \claim{A23}, \claim{A24a}, \claim{A24b}, \claim{A24c}, \claim{A27a},
+/// \claim{A27b}, \claim{A27c}.
 namespace vibration_test {
 
 /// The ends are fixed: of D², their rows and columns do not enter. \defeq{A46}
@@ -41,7 +47,7 @@ inline double acceleration(double omega, double x) {
     return -omega * omega * x;
 }
 
-/// (47) with (48): what a stationary vibration leaves. \defeq{A49}
+/// \eq{A47} with \eq{A48}: what a stationary vibration leaves. \defeq{A49}
 /// \f[ \frac{\partial^2 x}{\partial X^2} + \omega^2 x = 0 \tag{49} \f]
 inline double stationary_unbalance(double d2x_dX2, double omega, double x) {
     return unbalance(d2x_dX2, acceleration(omega, x));

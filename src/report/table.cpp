@@ -22,10 +22,19 @@ int digits(const Tolerance& tolerance) {
     return tolerance.relative > 0 ? 1 + static_cast<int>(std::ceil(-std::log10(tolerance.relative))) : 10;
 }
 
+/// A word as CSV holds it: in quotes where it has a comma, a quote or a line break.
+std::string quoted(const std::string& word) {
+    if (word.find_first_of(",\"\n") == std::string::npos) return word;
+    std::string inside;
+    for (const char c : word) inside += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return '"' + inside + '"';
+}
+
 std::string text(const Cell& cell, const Tolerance& tolerance) {
-    if (const auto* word = std::get_if<std::string>(&cell)) return *word;
+    if (const auto* word = std::get_if<std::string>(&cell)) return quoted(*word);
     if (const auto* integer = std::get_if<long>(&cell)) return std::to_string(*integer);
-    if (const auto* real = std::get_if<double>(&cell)) return shown(*real + 0.0, digits(tolerance));  // no minus zero
+    if (const auto* real = std::get_if<double>(&cell))
+        return shown(*real + 0.0, digits(tolerance));  // no minus zero
     return "";
 }
 
@@ -39,11 +48,18 @@ Cell parsed_cell(const std::string& text) {
 
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> parts(1);
-    for (const char c : line)
-        if (c == ',')
+    bool inside = false;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const bool quote = line[k] == '"';
+        if (quote && inside && k + 1 < line.size() && line[k + 1] == '"')
+            parts.back() += line[++k];
+        else if (quote)
+            inside = !inside;
+        else if (line[k] == ',' && !inside)
             parts.emplace_back();
         else
-            parts.back() += c;
+            parts.back() += line[k];
+    }
     return parts;
 }
 
@@ -61,6 +77,12 @@ std::size_t Table::column(const std::string& name) const {
     for (std::size_t k = 0; k < columns.size(); ++k)
         if (columns[k].name == name) return k;
     throw FailedComputation("the table has no column '" + name + "'");
+}
+
+std::string Table::word(std::size_t row, const std::string& name) const {
+    const Cell& cell = rows.at(row)[column(name)];
+    const auto* word = std::get_if<std::string>(&cell);
+    return word ? *word : text(cell, {});
 }
 
 std::string csv(const Table& table) {

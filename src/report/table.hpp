@@ -28,6 +28,9 @@ struct Table {
     std::vector<ColumnHead> columns;
     std::vector<std::vector<Cell>> rows;
 
+    /// The word in a row's column; a number as it is shown. \throws as column()
+    [[nodiscard]] std::string word(std::size_t row, const std::string& name) const;
+
     /// Index of a column. \throws particles::FailedComputation where there is none of that name
     [[nodiscard]] std::size_t column(const std::string& name) const;
 };
@@ -37,7 +40,8 @@ struct Table {
 /// \throws particles::FailedComputation for a number that is not finite or a row of another length, naming row and column
 std::string csv(const Table& table);
 
-/// The inverse of csv(): entries that read as numbers become real numbers, empty ones stay empty.
+/// The inverse of csv(): entries that read as numbers become real numbers, empty ones stay empty. Words in quotes may hold
+/// commas and doubled quotes, not line breaks.
 /// \throws particles::FailedComputation naming the line that is no row of the table
 Table parsed(const std::string& csv);
 

@@ -16,14 +16,13 @@ CentredKernel at(double x, double h = 0.05) {
 }  // namespace
 
 TEST_CASE("(23): the polynomial and its derivative") {
-    const Correction<double, 0, 1, 2> C{{2, -3, 5}};
-    CHECK(C(0.5) == doctest::Approx(2 - 1.5 + 1.25).epsilon(1e-15));
-    CHECK(C.derivative(0.5) == doctest::Approx(-3 + 5).epsilon(1e-15));
-    const Correction<double, 0, 1, 3> cubic{{2, -3, 5}};
-    CHECK(cubic(0.5) == doctest::Approx(2 - 1.5 + 0.625).epsilon(1e-15));
-    CHECK(cubic.derivative(0.5) == doctest::Approx(-3 + 15 * 0.25).epsilon(1e-15));
+    const Eigen::Vector3d c{2, -3, 5};
+    CHECK(correction<0, 1, 2>(c, 0.5) == doctest::Approx(2 - 1.5 + 1.25).epsilon(1e-15));
+    CHECK(correction_derivative<0, 1, 2>(c, 0.5) == doctest::Approx(-3 + 5).epsilon(1e-15));
+    CHECK(correction<0, 1, 3>(c, 0.5) == doctest::Approx(2 - 1.5 + 0.625).epsilon(1e-15));
+    CHECK(correction_derivative<0, 1, 3>(c, 0.5) == doctest::Approx(-3 + 15 * 0.25).epsilon(1e-15));
     const Column<double> s = Column<double>::LinSpaced(4, -1, 2);
-    for (Index k = 0; k < 4; ++k) CHECK(C(s)[k] == C(s[k]));
+    for (Index k = 0; k < 4; ++k) CHECK(correction<0, 1, 2>(c, s)[k] == correction<0, 1, 2>(c, double(s[k])));
 }
 
 TEST_CASE("(22): DK is the derivative of K") {

@@ -42,8 +42,11 @@ TEST_CASE(
         CHECK(std::abs(moments[1]) < 1e-14);
         CHECK(std::abs(moments[2]) < 1e-16);
     }
-    CHECK(Correction<double>::exponents == std::array{0, 1, 3});
-    const auto K_i = corrected(at(0.02));
+    // The quotient K/W is a cubic without a quadratic term: (40).
+    const auto K_i = corrected(at(0.02)), W_i = at(0.02);
+    const auto C = [&](double s) { return K_i.W(0.02 + 0.05 * s) / W_i.W(0.02 + 0.05 * s); };
+    CHECK(C(1) + C(-1) == doctest::Approx(2 * C(0)).epsilon(1e-12));
+    CHECK(C(3) - 4 * C(2) + 6 * C(1) - 4 * C(0) + C(-1) == doctest::Approx(0).epsilon(1e-10));
     for (const double x : {0.0, 0.01, 0.05, 0.2})
         CHECK(K_i.DW(x) == doctest::Approx((K_i.W(x + 1e-6) - K_i.W(x - 1e-6)) / 2e-6).epsilon(1e-6));
 }

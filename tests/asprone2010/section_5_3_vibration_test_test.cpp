@@ -34,7 +34,8 @@ TEST_CASE("(46): K is D² without the rows and columns of the ends") {
 }
 
 TEST_CASE(
-    "A21: sin(ωX) cos(ωt) with ω = πn satisfies (47) to (51) with our signs; with the printed sign (47) "
+    "A21: sin(ωX) cos(ωt) with ω = πn satisfies (47), (48), (49), (50) and (51) with our signs; with the "
+    "printed sign (47) "
     "leaves −2ω²x") {
     for (const Index n : {1, 2, 7}) {
         const double omega = exact_frequency(n), X = 0.3, t = 0.11, step = 1e-4;

@@ -42,6 +42,14 @@ TEST_CASE("table: what is written is parsed") {
     CHECK_THROWS_AS(static_cast<void>(table.column("volume")), particles::FailedComputation);
 }
 
+TEST_CASE("table: words with commas and quotes come back as they were") {
+    const std::string word = "one, \"two\", three";
+    const Table table{{}, {{"name"}, {"number"}}, {{word, 2.5}}};
+    CHECK(csv(table) == "name,number\n\"one, \"\"two\"\", three\",2.5\n");
+    CHECK(parsed(csv(table)).word(0, "name") == word);
+    CHECK(parsed(csv(table)).word(0, "number") == "2.5");
+}
+
 TEST_CASE("table: a number that is not finite is never written") {
     for (const double bad :
          {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), std::nan("")}) {

@@ -1,0 +1,251 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <regex>
+
+#include "particles/errors.hpp"
+#include "report/file.hpp"
+#include "report/table.hpp"
+
+namespace {
+
+using particles::FailedComputation;
+using report::read_whole;
+using report::Table;
+
+Table table_of(const std::string& path) {
+    return report::parsed(read_whole(path));
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+    return text;
+}
+
+/// Text for a cell of a Markdown table in Doxygen: nothing in it is taken for markup.
+std::string cell(std::string text) {
+    for (const char* mark : {"\\", "|", "#", "@", "*", "_", "<", ">"})
+        text = replaced(text, mark, std::string("\\") + mark);
+    return text;
+}
+
+/// The number in an equation's key: A16 -> 16.
+std::string number(const std::string& equation) {
+    return equation.substr(1);
+}
+
+/// A section's namespace page by the file that holds it: asprone2010/section_3_1_original.hpp -> asprone2010::original.
+std::string section_page(const std::string& code) {
+    static const std::regex shape("(\\w+)/section_[0-9_]+(\\w+)\\.hpp");
+    std::smatch found;
+    if (!std::regex_match(code, found, shape)) throw FailedComputation(code + " is no section's file");
+    return found[1].str() + "::" + found[2].str();
+}
+
+/// The names of the test cases in a test file.
+std::vector<std::string> test_cases(const std::string& path) {
+    static const std::regex shape("TEST_CASE\\(((?:\\s*\"(?:[^\"\\\\]|\\\\.)*\")+)\\s*\\)");
+    static const std::regex part("\"((?:[^\"\\\\]|\\\\.)*)\"");
+    const std::string source = read_whole(path);
+    std::vector<std::string> names;
+    for (std::sregex_iterator test(source.begin(), source.end(), shape), end; test != end; ++test) {
+        const std::string literal = (*test)[1];
+        std::string name;
+        for (std::sregex_iterator piece(literal.begin(), literal.end(), part); piece != end; ++piece)
+            name += (*piece)[1];
+        names.push_back(replaced(name, "\\\"", "\""));
+    }
+    return names;
+}
+
+/// The equations that stand above code, each with the file that holds it.
+std::map<std::string, std::vector<std::string>> defined_equations(const std::string& source) {
+    static const std::regex tag("\\\\defeq\\{(\\w[\\w.]*)\\}");
+    std::map<std::string, std::vector<std::string>> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source)) {
+        if (entry.path().extension() != ".hpp") continue;
+        const std::string text = read_whole(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), tag), end; match != end; ++match)
+            found[(*match)[1]].push_back(std::filesystem::relative(entry.path(), source).generic_string());
+    }
+    return found;
+}
+
+/// Compares the list of equations with the source and the tests, both ways.
+/// \throws FailedComputation naming the first equation without code or test, or code without a row
+void check_equations(const Table& equations) {
+    auto defined = defined_equations("src");
+    for (std::size_t row = 0; row < equations.rows.size(); ++row) {
+        const std::string equation = equations.word(row, "equation");
+        const std::string code = equations.word(row, "code"), test = "tests/" + equations.word(row, "test");
+        if (defined[equation] != std::vector<std::string>{code})
+            throw FailedComputation("equation " + equation + " must stand once above its code in src/" +
+                                    code + ", with \\defeq{" + equation + "}");
+        bool tested = false;
+        for (const std::string& name : test_cases(test))
+            tested = tested || name.find("(" + number(equation) + ")") != std::string::npos;
+        if (!tested) throw FailedComputation("equation " + equation + " is named by no test case of " + test);
+        defined.erase(equation);
+    }
+    for (const auto& [equation, files] : defined)
+        if (!files.empty())
+            throw FailedComputation("equation " + equation + " of src/" + files.front() + " has no row");
+}
+
+/// The index: every equation with its code, its test and the claims about it.
+std::string equation_page(const Table& equations, const Table& claims) {
+    std::string page =
+        "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, "
+        "the tests that "
+        "name it, and the verdicts on what the paper claims about it.\n\n"
+        "| equation | section | says | tests | claims |\n| --- | --- | --- | --- | --- |\n";
+    for (std::size_t row = 0; row < equations.rows.size(); ++row) {
+        const std::string equation = equations.word(row, "equation"), test = equations.word(row, "test");
+        std::string about;
+        for (std::size_t claim = 0; claim < claims.rows.size(); ++claim)
+            if ((" " + claims.word(claim, "equations") + " ").find(" " + number(equation) + " ") !=
+                std::string::npos)
+                about += " \\claim{" + claims.word(claim, "id") + "}";
+        page += "| \\anchor index_" + equation + " \\eq{" + equation + "} | \\ref " +
+                section_page(equations.word(row, "code")) + " \"" + equations.word(row, "section") + "\" | " +
+                cell(equations.word(row, "meaning")) + " | \\ref test_" +
+                std::filesystem::path(test).stem().string() + " \"tests\" | " + about + " |\n";
+    }
+    return page;
+}
+
+/// The ledger: every claim with what was measured.
+std::string claims_page(const Table& claims, const Table& verdicts) {
+    std::string page =
+        "Claims {#claims}\n======\n\nEvery statement of the paper that a measurement can confirm or refute, "
+        "in our words. Each verdict is "
+        "computed: the statement is compared with what was measured under both conventions of the particle "
+        "volumes, which the print "
+        "leaves open.\n\n| claim | says | quantity | stated | equal | partition | verdict |\n| --- | --- | "
+        "--- | --- | --- | --- | --- |\n";
+    for (std::size_t row = 0; row < claims.rows.size(); ++row) {
+        const std::string id = claims.word(row, "id");
+        if (row >= verdicts.rows.size() || verdicts.word(row, "id") != id)
+            throw FailedComputation("claim " + id + " has no verdict yet; run make claims");
+        const std::string conditional = verdicts.word(row, "conditional");
+        page += "| \\anchor claim_" + id + " \\ref test_" +
+                std::filesystem::path(claims.word(row, "test")).stem().string() + " \"" + id + "\" | " +
+                cell(claims.word(row, "claim")) + " | " + cell(claims.word(row, "quantity")) + " | " +
+                cell(verdicts.word(row, "statement")) + " | " + verdicts.word(row, "measured_equal") + " | " +
+                verdicts.word(row, "measured_partition") + " | " + cell(verdicts.word(row, "verdict")) +
+                (conditional.empty() ? "" : " (then " + conditional + ")") + " |\n";
+    }
+    return page;
+}
+
+/// The tests: the properties that they state, file by file, and their source.
+std::string tests_page(const std::vector<std::string>& files) {
+    std::string page =
+        "Tests {#tests}\n=====\n\nWhat the tests of each file state. `make check` runs them all.\n\n";
+    for (const std::string& file : files) {
+        const std::string stem = std::filesystem::path(file).stem().string();
+        page += "\\section test_" + stem + " " + file.substr(std::string("tests/").size()) + "\n";
+        for (const std::string& name : test_cases(file)) page += "- " + cell(name) + "\n";
+        page += "\n";
+    }
+    return page;
+}
+
+/// How many claims of a section have which verdict: "5 of 7 reproduced, 1 conditional, 1 differs".
+std::string tally(const Table& verdicts, const std::string& section) {
+    int all = 0, reproduced = 0, differ = 0, undecided = 0;
+    for (std::size_t row = 0; row < verdicts.rows.size(); ++row) {
+        if (verdicts.word(row, "section") != section) continue;
+        const std::string verdict = verdicts.word(row, "verdict");
+        ++all;
+        reproduced += verdict == "reproduced";
+        differ += verdict == "differs";
+        undecided += verdict == "cannot tell";
+    }
+    const int conditional = all - reproduced - differ - undecided;
+    if (all == 0) return "";
+    std::string text = std::to_string(reproduced) + " of " + std::to_string(all) + " reproduced";
+    if (conditional > 0) text += ", " + std::to_string(conditional) + " under a condition";
+    if (differ > 0) text += ", " + std::to_string(differ) + (differ == 1 ? " differs" : " differ");
+    if (undecided > 0) text += ", " + std::to_string(undecided) + " undecided";
+    return text;
+}
+
+/// The README's table: paper item, command, output, source, verdict.
+std::string readme_table(const Table& items, const Table& verdicts) {
+    std::string text = "| paper | command | output | source | claims |\n| --- | --- | --- | --- | --- |\n";
+    const auto link = [](const std::string& path) {
+        return "[" + std::filesystem::path(path).filename().string() + "](" + path + ")";
+    };
+    for (std::size_t row = 0; row < items.rows.size(); ++row) {
+        std::string outputs;
+        std::istringstream words(items.word(row, "output"));
+        for (std::string path; words >> path;) outputs += (outputs.empty() ? "" : ", ") + link(path);
+        text += "| " + items.word(row, "item") + " | `" + items.word(row, "command") + "` | " + outputs +
+                " | " + link(items.word(row, "source")) + " | " +
+                tally(verdicts, items.word(row, "section")) + " |\n";
+    }
+    return text;
+}
+
+/// A text with the part between two marks replaced. \throws FailedComputation where the marks are missing
+std::string with_part(const std::string& text, const std::string& part) {
+    const std::string first = "<!-- the table below is written by make claims -->\n",
+                      last = "<!-- end of the table -->";
+    const std::size_t from = text.find(first), to = text.find(last);
+    if (from == std::string::npos || to == std::string::npos)
+        throw FailedComputation("README.md has lost the marks of its table");
+    return text.substr(0, from + first.size()) + part + text.substr(to);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Writes the generated pages of the walkthrough and the README's table, and checks that every "
+        "equation has code and "
+        "test. It runs in the top folder.",
+        "walkthrough");
+    app.footer("Example: walkthrough --pages build/doc/pages");
+    std::string pages;
+    bool write_readme = false, check_readme = false;
+    app.add_option("--pages", pages, "folder to write the pages into")->type_name("FOLDER");
+    app.add_flag("--write-readme", write_readme, "write the table of README.md anew");
+    app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        return app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "walkthrough: " << error.what() << "; see walkthrough --help\n";
+        return 2;
+    }
+    try {
+        const Table equations = table_of("paper/equations.csv"), claims = table_of("paper/claims.csv");
+        const Table verdicts = table_of("data/asprone2010/claims.csv");
+        check_equations(equations);
+        std::cout << equations.rows.size() << " equations indexed, 0 without code or test\n";
+        if (!pages.empty()) {
+            std::vector<std::string> files;
+            for (const auto& entry : std::filesystem::recursive_directory_iterator("tests"))
+                if (entry.path().string().ends_with("_test.cpp"))
+                    files.push_back(entry.path().generic_string());
+            std::sort(files.begin(), files.end());
+            std::filesystem::create_directories(pages);
+            report::write_whole(pages + "/equations.md", equation_page(equations, claims));
+            report::write_whole(pages + "/claims.md", claims_page(claims, verdicts));
+            report::write_whole(pages + "/tests.md", tests_page(files));
+        }
+        const std::string readme = read_whole("README.md");
+        const std::string fresh = with_part(readme, readme_table(table_of("paper/items.csv"), verdicts));
+        if (write_readme && fresh != readme) report::write_whole("README.md", fresh);
+        if (check_readme && fresh != readme)
+            throw FailedComputation("the table of README.md is stale; run make claims");
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << "walkthrough: " << error.what() << "\n";
+        return 1;
+    }
+}
