@@ -64,18 +64,18 @@ doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
 check-doc: doc ## open every page of the walkthrough in a browser, and fail on what does not work
 	@bash doc/check $(BUILD)/doc/html
 
-verify: $(data) $(figures) ## compare the data with those that are committed, and look that the figures are whole
-	@mkdir -p $(BUILD)/verify
-	failed=0
+verify: $(data:data/%=$(BUILD)/verify/%) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compute the data once more and compare with the committed, look that figures are whole
+	@failed=0
 	for table in $(data); do
 	    git show "HEAD:$$table" > $(BUILD)/verify/committed.csv
-	    $(BUILD)/bin/compare_tables $(BUILD)/verify/committed.csv "$$table" |
+	    $(bin)/compare_tables $(BUILD)/verify/committed.csv "$(BUILD)/verify/$${table#data/}" |
 	        sed "s|$(BUILD)/verify/committed.csv|$$table|" || failed=1
 	done
 	for figure in $(figures); do
 	    if head -n 1 "$$figure" | grep -q '<?xml' && tail -n 2 "$$figure" | grep -qx '</svg>'; then echo "$$figure: whole"
 	    else echo "$$figure: missing or not whole"; failed=1; fi
 	done
+	$(bin)/walkthrough --check-readme || failed=1
 	exit $$failed
 
 clean: ## remove what was built
@@ -107,19 +107,19 @@ $(BUILD)/bin/check: $(tests) $(common)
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 
-# Data: one command for each table.
-seeds := 51
-data/asprone2010/figure_1.csv: $(bin)/derivative_test
-	$< --perturb 0,0.25 --seeds $(seeds) --median --output $@
-data/asprone2010/figure_2_left.csv: $(bin)/static_test
-	$< --output $@
-data/asprone2010/figure_2_right.csv: $(bin)/static_test
-	$< --perturb 0.25 --seeds $(seeds) --median --output $@
-data/asprone2010/figure_3.csv: $(bin)/vibration_test
-	$< --output $@
-data/asprone2010/claims.csv: $(bin)/claims paper/claims.csv
-	$< --output $@
-$(data): | data/BUILD-INFO.txt
+# Data: one command for each table; verify runs the same commands once more.
+figure_1       = $(bin)/derivative_test --perturb 0,0.25 --seeds 51 --median
+figure_2_left  = $(bin)/static_test
+figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
+figure_3       = $(bin)/vibration_test
+claims         = $(bin)/claims
+$(data): data/asprone2010/%.csv: paper/claims.csv | data/BUILD-INFO.txt
+	$($*) --output $@
+$(data:data/%=$(BUILD)/verify/%): $(BUILD)/verify/asprone2010/%.csv: FORCE
+	@mkdir -p $(@D)
+	$($*) --output $@
+# Each table hangs on the program that its command names.
+$(foreach table,$(data),$(eval $(table) $(table:data/%=$(BUILD)/verify/%): $(firstword $($(basename $(notdir $(table)))))))
 data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
 	@{
 	    echo "commit:   $$(git describe --always --dirty 2>/dev/null || echo unknown)"
@@ -131,8 +131,10 @@ data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
 figures/%.svg: figures/%.gp figures/style.gp $(filter-out %/claims.csv,$(data))
-	@if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $(BUILD)/gnuplot.log || [[ -s $(BUILD)/gnuplot.log ]]; then
-	    cat $(BUILD)/gnuplot.log >&2
+	@mkdir -p $(BUILD)/log
+	log=$(BUILD)/log/$(notdir $*).gnuplot
+	if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $$log || [[ -s $$log ]]; then
+	    cat $$log >&2
 	    rm -f $@.tmp.svg
 	    exit 1
 	fi
@@ -146,7 +148,7 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough data/asprone2010
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
 	BUILD=$(BUILD) doxygen doc/Doxyfile
-	rm -f $(BUILD)/doc/html/*-members.html $(BUILD)/doc/html/dir_*.html
+	rm -f $(BUILD)/doc/html/*-members.html
 	sed -i -E 's| (Namespace\|Struct\|Class\|Struct Template\|Class Template) Reference</div>|</div>|; s@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
 	if [[ -s $(BUILD)/doc/warnings.log ]]; then cat $(BUILD)/doc/warnings.log >&2; rm -rf $(BUILD)/doc/html; exit 1; fi
 	for part in MathJax.js extensions/tex2jax.js extensions/TeX extensions/MathEvents.js jax/element jax/input/TeX \

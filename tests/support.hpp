@@ -9,6 +9,7 @@
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "report/statistics.hpp"
+#include "tests/relative.hpp"
 
 /// What several tests need.
 namespace support {

@@ -346,8 +346,7 @@ std::map<std::string, Measure> all() {
         };
     };
     of["A07a"] = moments([](const Neighbourhood<double>& near) { return rkpm::corrected<0, 1>(near); }, 1);
-    of["A07b"] =
-        moments([](const Neighbourhood<double>& near) { return rkpm::corrected<0, 1, 2>(near); }, 2);
+    of["A07b"] = moments([](const Neighbourhood<double>& near) { return rkpm::corrected<0, 1, 2>(near); }, 2);
     of["A07c"] = either([] {
         return order_at_ends(
             [](const CentredKernel& W_i) { return rkpm::value(B, rkpm::corrected<0, 1>(W_i)) - B(W_i.x); });

@@ -33,34 +33,41 @@ struct Formulation {
 
 namespace detail {
 
-template <class Scalar, class Rule>
+template <class Scalar, class Rule, class Second = std::nullptr_t>
 Formulation<Scalar> formulation(std::string_view name, std::string_view section, std::string_view equations,
-                                Index particles, Rule /*stateless*/) {
+                                Index particles, Rule /*stateless*/, Second /*stateless*/ = {}) {
     return {name, section, equations, particles,
             [](const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing,
                const particles::Requirement& required) {
-                return particles::assemble(line, smoothing, required, Rule{});
+                return particles::assemble(line, smoothing, required, Rule{}, Second{});
             }};
 }
 
 }  // namespace detail
 
-/// All formulations, in the paper's order. Those that return both derivatives of a neighbourhood are used as they are; of
-/// those that return the first alone, the second is the first applied twice ((12), (26) and the end of Section 3.4).
+/// All formulations, in the paper's order. A rule returns both derivatives of a neighbourhood, or the first alone; then the
+/// section says how the second follows for the whole line: \eq{A12}, \eq{A26} and the end of Section 3.4.
 template <class Scalar = double>
 const std::vector<Formulation<Scalar>>& formulations() {
     using detail::formulation;
     static const std::vector<Formulation<Scalar>> all{
-        formulation<Scalar>("original", "3.1", "(11) (12)", 2,
-                            [](const auto& near) { return original::first_derivative(near); }),
+        formulation<Scalar>(
+            "original", "3.1", "(11) (12)", 2,
+            [](const auto& near) { return original::first_derivative(near); },
+            [](const auto& D) { return original::second_derivative(D); }),
         formulation<Scalar>("chen_beraun", "3.2", "(16) (20)", 3,
                             [](const auto& near) { return chen_beraun::derivatives(near); }),
-        formulation<Scalar>("rkpm_first_order", "3.3", "(25) (26)", 2,
-                            [](const auto& near) { return rkpm::first_derivative<1>(near); }),
-        formulation<Scalar>("rkpm_second_order", "3.3", "(25) (26)", 3,
-                            [](const auto& near) { return rkpm::first_derivative<2>(near); }),
-        formulation<Scalar>("fpm", "3.4", "(30)", 2,
-                            [](const auto& near) { return fpm::first_derivative(near); }),
+        formulation<Scalar>(
+            "rkpm_first_order", "3.3", "(25) (26)", 2,
+            [](const auto& near) { return rkpm::first_derivative<1>(near); },
+            [](const auto& D) { return rkpm::second_derivative(D); }),
+        formulation<Scalar>(
+            "rkpm_second_order", "3.3", "(25) (26)", 3,
+            [](const auto& near) { return rkpm::first_derivative<2>(near); },
+            [](const auto& D) { return rkpm::second_derivative(D); }),
+        formulation<Scalar>(
+            "fpm", "3.4", "(30)", 2, [](const auto& near) { return fpm::first_derivative(near); },
+            [](const auto& D) { return fpm::second_derivative(D); }),
         formulation<Scalar>("modified_fpm", "3.5", "(36)", 3,
                             [](const auto& near) { return modified_fpm::derivatives(near); }),
         formulation<Scalar>("second_order_fpm", "4", "(43)", 4,

@@ -5,7 +5,7 @@
 #include "particles/operators.hpp"
 
 /// Asprone, Auricchio, Manfredi, Prota, Reali, Sangalli (2010), *Particle Methods for a 1D Elastic Model Problem: Error
-/// Analysis and Development of a Second-Order Accurate Formulation*, CMES 62\eq{A1}, 1–21.
+/// Analysis and Development of a Second-Order Accurate Formulation*, CMES 62(1), 1–21.
 namespace asprone2010 {
 
 using particles::CentredKernel;
@@ -36,7 +36,9 @@ using particles::Operator;
 ///
 /// Departures from the print: it calls the support's diameter the smoothing length h, yet Section 5 sets h to the particle
 /// spacing δ, with which a support of diameter h would hold no neighbour. Here h is the Gaussian's length in
-/// \f$e^{-((x-x_i)/h)^2}\f$, and the support's radius is a property of the kernel.
+/// \f$e^{-((x-x_i)/h)^2}\f$, and the support's radius is a property of the kernel. And \eq{A3} asks
+/// for volumes that tile Ω (`partition`); the tests of Section 5 take δ for every particle by default (`equal`), for reasons
+/// that \ref asprone2010::numerical_tests gives.
 ///
 /// Measured claims of this section: \claim{A01a}, \claim{A01b}, \claim{A01c}, \claim{A01d}.
 namespace classical_sph {

@@ -10,8 +10,9 @@ namespace asprone2010 {
 /// from the former.
 ///
 /// Departures from the print: \eq{A14} puts the error e on its right-hand side, so that DB is the quotient *minus* e over the
-/// denominator; \eq{A15} and \eq{A19} print plus. And \eq{A20} errs by O(h) at the boundary only if DB is exact there: with DB from
-/// \eq{A16}, whose error is O(h) and which \eq{A20} divides by h, D²B errs by a constant.
+/// denominator; \eq{A15} and \eq{A19} print plus. Here both stand without e, as they are used, and the equality signs of
+/// \eq{A15}, \eq{A19} and \eq{A20} are approximate. And \eq{A20} errs by O(h) at the boundary only if DB errs by no more than
+/// O(h²) there: with DB from \eq{A16}, whose error is O(h) and is divided by h, D²B errs by a constant.
 ///
 /// Measured claims of this section: \claim{A04a}, \claim{A04b}, \claim{A04c}, \claim{A05}, \claim{A06a},
 /// \claim{A06b}, \claim{A25}, \claim{A26a}, \claim{A26b}.

@@ -15,6 +15,7 @@ namespace asprone2010 {
 ///
 /// Departures from the print: \eq{A27}, \eq{A28} and \eq{A30} add the remainders to the projections of B. With the remainders as what
 /// the expansion leaves of B (as in \eq{A14}) they are subtracted; orders are not affected.
+/// \eq{A32} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
 ///
 /// Measured claims of this section: \claim{A09a}, \claim{A09b}, \claim{A09c}, \claim{A09d}, \claim{A09e}.
 namespace fpm {

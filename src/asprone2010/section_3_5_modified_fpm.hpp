@@ -14,6 +14,7 @@ namespace asprone2010 {
 /// | \f$e''_1, e''_2\f$ | `first_remainder`, `second_remainder` | what the truncated expansion leaves |
 ///
 /// Departures from the print: the remainders are subtracted, as in Section 3.4.
+/// \eq{A38} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
 ///
 /// Measured claims of this section: \claim{A10a}, \claim{A10b}, \claim{A10c}, \claim{A10d}.
 namespace modified_fpm {

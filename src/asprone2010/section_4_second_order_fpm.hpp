@@ -19,6 +19,8 @@ namespace asprone2010 {
 ///
 /// Departures from the print: far from the boundary \f$K_i\f$ is \f$W_i\f$ divided by its discrete integral, which on the
 /// uniform lattice with h = δ is 1.0001 and not 1. The factor cancels in \eq{A43}.
+/// \eq{A44} stands without its middle lines, in which the norms and the powers of h are taken out of A; the inverse
+/// is written with A in the place of the constants C.
 ///
 /// Measured claims of this section: \claim{A11a}, \claim{A11b}, \claim{A12}, \claim{A13}, \claim{A14a},
 /// \claim{A14b}, \claim{A14c}.

@@ -21,7 +21,7 @@ struct Exact {
     Function u, Du, D2u;
 };
 
-/// The paper's case: f = eˣ, u(0) = u′\eq{A1} = 0, so that \f$u = -e^x + ex + 1\f$.
+/// The paper's case: f = eˣ, u(0) = u′(1) = 0, so that \f$u = -e^x + ex + 1\f$.
 inline Exact exponential_load() {
     return {[](double x) { return -std::exp(x) + std::exp(1.0) * x + 1; },
             [](double x) { return -std::exp(x) + std::exp(1.0); }, [](double x) { return -std::exp(x); }};

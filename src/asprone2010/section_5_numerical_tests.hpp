@@ -8,7 +8,9 @@ namespace asprone2010 {
 ///
 /// The print leaves open where the particles lie in their cells, which volumes the end particles carry, which numbers of
 /// particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle, since both tests impose
-/// boundary conditions there; volumes follow a named convention; h stays δ when particles are perturbed.
+/// boundary conditions there; volumes follow a named
+/// convention: δ for every particle by default, although \eq{A3} fits cells that tile Ω, since the overlap of two spectra in
+/// Figure 3 and footnote 1 come out better so (\ref companion_asprone2010 has the numbers of both); h stays δ when particles are perturbed.
 namespace numerical_tests {
 
 /// How a line of N particles is made and smoothed.
@@ -37,7 +39,7 @@ Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long se
     return {line, particles::Smoothing<Scalar>(of.kernel, Scalar(of.smoothing) * line.spacing())};
 }
 
-/// \f$\max_j |a_j - b_j|\f$, the norm of all three tests.
+/// \f$\max_j |a_j - b_j|\f$, the norm in which the displacement's error is measured.
 template <class Scalar>
 Scalar distance(const Column<Scalar>& a, const Column<Scalar>& b) {
     return (a - b).abs().maxCoeff();

@@ -13,7 +13,7 @@ namespace particles {
 /// \defgroup kernels Kernels
 /// A kernel is written in the scaled offset s = (x − x_i)/h, in one dimension and for h = 1:
 /// \f$W_i(x) = W(s)/h\f$, \f$DW_i(x) = W'(s)/h^2\f$, \f$D^2W_i(x) = W''(s)/h^3\f$. Each has unit integral, is even, and
-/// vanishes for |s| ≥ support(). The scalar may be any real type.
+/// vanishes for |s| ≥ support(), the Gaussian but for what is negligible. The scalar may be any real type.
 /// @{
 
 namespace detail {
@@ -40,8 +40,8 @@ const Scalar inverse_sqrt_pi = [] {
 
 }  // namespace detail
 
-/// \f$W(s) = e^{-s^2}/\sqrt{\pi}\f$, the paper's kernel. It has no compact support; it is cut where it falls below the
-/// scalar's epsilon, s ≈ 6.0 in double precision.
+/// \f$W(s) = e^{-s^2}/\sqrt{\pi}\f$, the paper's kernel. It has no compact support; it is cut where \f$e^{-s^2}\f$ falls below
+/// the scalar's epsilon, s ≈ 6.0 in double precision.
 struct Gaussian {
     static constexpr std::string_view name = "gaussian";
 

@@ -2,8 +2,12 @@
 
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "particles/local_system.hpp"
@@ -37,14 +41,21 @@ struct Requirement {
 
 /// Sets each diagonal entry to minus the sum of the row's others, summed without it: the row annihilates constants to the
 /// last bit, whatever round-off the weights carry.
+/// \throws InvalidInput for a row that stores no diagonal entry
 template <class Scalar>
 void annihilate_constants(Operator<Scalar>& D) {
     for_each_index(D.rows(), [&](Index i) {
-        Scalar& own = D.coeffRef(i, i);
-        own = 0;
         Scalar others(0);
-        for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry) others += entry.value();
-        own = -others;
+        Scalar* own = nullptr;
+        for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry) {
+            if (entry.col() == i)
+                own = &entry.valueRef();
+            else
+                others += entry.value();
+        }
+        if (own == nullptr)
+            throw InvalidInput("row " + std::to_string(i) + " of the operator stores no diagonal entry");
+        *own = -others;
     });
 }
 
@@ -76,14 +87,17 @@ namespace detail {
 template <class Scalar>
 Operator<Scalar> banded_pattern(const std::vector<Range>& near) {
     const auto N = static_cast<Index>(near.size());
+    Index entries = 0;
+    for (const Range& range : near) entries += range.size();
+    if (entries > std::numeric_limits<int>::max())
+        throw InvalidInput("an operator of " + std::to_string(entries) +
+                           " weights is too large; take fewer particles or a smaller smoothing length");
     Operator<Scalar> D(N, N);
-    int entries = 0;
-    for (Index i = 0; i < N; ++i) {
-        D.outerIndexPtr()[i] = entries;
-        entries += static_cast<int>(near[static_cast<std::size_t>(i)].size());
-    }
-    D.outerIndexPtr()[N] = entries;
     D.resizeNonZeros(entries);
+    D.outerIndexPtr()[0] = 0;
+    for (Index i = 0; i < N; ++i)
+        D.outerIndexPtr()[i + 1] =
+            D.outerIndexPtr()[i] + static_cast<int>(near[static_cast<std::size_t>(i)].size());
     for_each_index(N, [&](Index i) {
         const Range& range = near[static_cast<std::size_t>(i)];
         for (Index k = 0; k < range.size(); ++k)
@@ -117,20 +131,20 @@ std::string remedy(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
     const auto wanted = distance.begin() + (needed - 1);
     std::nth_element(distance.begin(), wanted, distance.end());
     const double ratio = *wanted / static_cast<double>(line.spacing() * support<Scalar>(smoothing.kernel()));
-    return "try --smoothing " + shown(std::floor(10 * ratio + 1) / 10);
+    return "try --smoothing " + shown(std::floor(10 * ratio * (1 + 1e-6) + 1) / 10);
 }
 
 }  // namespace detail
 
 /// Assembles D and D² of a formulation in one pass over the particles, straight into compressed rows, in parallel and with
 /// the same bytes on any number of threads.
-/// \param rule a pure function of a Neighbourhood. It returns Derivatives, or the weights of the first derivative alone;
-///             then D² = D·D.
+/// \param rule a pure function of a Neighbourhood. It returns Derivatives, or the weights of the first derivative alone
+/// \param second the operator D² as a function of D, for a rule that returns the first derivative alone
 /// \throws FailedComputation naming the formulation, the particle, its position, its neighbours and a remedy where a
 ///         neighbourhood cannot carry the formulation
-template <class Scalar, class Rule>
+template <class Scalar, class Rule, class Second = std::nullptr_t>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
-                           const Requirement& required, const Rule& rule) {
+                           const Requirement& required, const Rule& rule, const Second& second = {}) {
     using Answer = std::invoke_result_t<Rule, const Neighbourhood<Scalar>&>;
     constexpr bool knows_both = std::is_same_v<Answer, Derivatives<Scalar>>;
     const Index N = line.size();
@@ -163,14 +177,14 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
             throw FailedComputation(
                 detail::census(line, smoothing, i, range, required) + " (" + std::to_string(i - range.first) +
                 " on the left, " + std::to_string(range.last - 1 - i) + " on the right), but " +
-                singular.what() + "; " + detail::remedy(line, smoothing, i, range.size() + 1));
+                singular.what() + "; take a larger --smoothing or particles that lie farther apart");
         }
     });
     annihilate_constants(of_line.D);
     if constexpr (knows_both)
         annihilate_constants(of_line.D2);
     else
-        of_line.D2 = applied_twice(of_line.D);
+        of_line.D2 = second(of_line.D);
     return of_line;
 }
 

@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
             "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B "
             "= exp",
             "interior: particles farther than the support's radius from both ends; empty where there are "
-            "none",
-            programs::described(options)};
+            "none"};
+        for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
         table.columns = {{"error_first", {1e-6, 1e-12}},
                          {"error_second", {1e-6, 2e-10}},
                          {"error_first_interior", {1e-6, 1e-12}},

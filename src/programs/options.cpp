@@ -21,12 +21,38 @@ using report::Cell;
 
 namespace {
 
+/// The generator takes 32 bits and reads 0 as another number: seeds beyond would repeat draws.
+constexpr unsigned long largest_seed = 4294967295UL;
+
 std::vector<std::string> known_formulations(const std::vector<std::string>& extra) {
     std::vector<std::string> names;
     for (const auto& formulation : asprone2010::formulations<double>()) names.emplace_back(formulation.name);
     names.insert(names.end(), extra.begin(), extra.end());
     return names;
 }
+
+/// "3 of 12" on a terminal, wiped when it ends, however it ends.
+class Progress {
+  public:
+    explicit Progress(std::size_t all) : all_(all) {}
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() {
+        if (watched_) std::cerr << "\r\033[K" << std::flush;
+    }
+    void step() {
+        if (!watched_) return;
+#pragma omp critical(progress)
+        {
+            ++done_;
+            std::cerr << "\r" << done_ << " of " << all_ << std::flush;
+        }
+    }
+
+  private:
+    std::size_t all_, done_ = 0;
+    bool watched_ = isatty(STDERR_FILENO) != 0;
+};
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -70,7 +96,9 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
                    "0.25)")
         ->delimiter(',')
         ->type_name("A[,A...]");
-    app.add_option("--seed", options.seed, "first seed of the perturbations (default 1)")->type_name("S");
+    app.add_option("--seed", options.seed, "first seed of the perturbations (default 1)")
+        ->type_name("S")
+        ->check(CLI::Range(1UL, largest_seed));
     app.add_option("--seeds", options.seeds, "how many seeds: S, S+1, ... (default 1)")
         ->type_name("K")
         ->check(CLI::Range(1UL, 1000000UL));
@@ -90,6 +118,10 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
         if (std::find(known.begin(), known.end(), name) == known.end())
             throw InvalidInput("there is no formulation '" + name + "'; choose all or some of " +
                                joined(known));
+
+    if (options.seeds - 1 > largest_seed - options.seed)
+        throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
+                           " repeat others; take a smaller --seed");
 
     std::vector<Case> all;
     for (const std::string& formulation : wanted)
@@ -111,19 +143,11 @@ void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<Cell>(const Case&)>& compute) {
     const std::vector<Case> all = cases(options);
     std::vector<std::vector<Cell>> numbers(all.size());
-    std::size_t done = 0;
-    const bool watched = isatty(STDERR_FILENO) != 0;
+    Progress progress(all.size());
     particles::for_each_index(static_cast<Eigen::Index>(all.size()), [&](Eigen::Index k) {
         const auto at = static_cast<std::size_t>(k);
         numbers[at] = compute(all[at]);
-        if (watched) {
-#pragma omp critical(progress)
-            {
-                ++done;
-                std::cerr << "\r" << done << " of " << all.size() << (done == all.size() ? "\n" : "")
-                          << std::flush;
-            }
-        }
+        progress.step();
     });
 
     const std::vector<report::ColumnHead> measured = table.columns;
@@ -163,10 +187,18 @@ void tabulate(report::Table& table, const Options& options,
     }
 }
 
-std::string described(const Options& options) {
-    return "kernel " + options.kernel + ", h/delta " + particles::shown(options.smoothing) + ", volumes " +
-           options.volumes + ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) +
-           " to " + std::to_string(options.seed + options.seeds - 1);
+std::vector<std::string> described(const Options& options) {
+    std::string equations;
+    for (const auto& formulation : asprone2010::formulations<double>())
+        equations += (equations.empty() ? "equations: " : ", ") + std::string(formulation.name) + " " +
+                     std::string(formulation.equations);
+    std::string parameters = "kernel " + options.kernel + ", h/delta " + particles::shown(options.smoothing) +
+                             ", volumes " + options.volumes;
+    if (std::any_of(options.perturbations.begin(), options.perturbations.end(),
+                    [](double a) { return a != 0; }))
+        parameters += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
+                      std::to_string(options.seed + options.seeds - 1);
+    return {equations, parameters};
 }
 
 int run(CLI::App& app, int argc, char** argv, const Options& options,

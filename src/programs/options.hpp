@@ -55,8 +55,8 @@ asprone2010::numerical_tests::Particles<double> discretise(const Options& option
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);
 
-/// The options as a comment of the table: what stays the same in all its rows.
-std::string described(const Options& options);
+/// Comments of the table: the equations of the formulations, and of the options what is the same in all rows.
+std::vector<std::string> described(const Options& options);
 
 /// The body of main: options are read, the table is computed and written.
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error

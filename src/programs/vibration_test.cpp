@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
         table.comments = {
             "Asprone et al. (2010), Section 5.3, Figure 3: frequencies sqrt(-lambda) of (52) against (51), "
             "omega_n = pi n",
-            "fem_lumped, fem_consistent: linear finite elements between the same particles",
-            programs::described(options)};
+            "fem_lumped, fem_consistent: linear finite elements between the same particles"};
+        for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
         table.columns = {{"formulation"},
                          {"particles"},
                          {"perturbation"},

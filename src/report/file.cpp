@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "particles/errors.hpp"
@@ -33,11 +34,19 @@ void write_whole(const std::string& path, const std::string& text) {
         if (!put(stdout, text)) fail("write to", path);
         return;
     }
-    const std::string temporary = path + ".tmp." + std::to_string(getpid());
+    // A link keeps pointing where it points, and what is no regular file (a pipe, a device) cannot be replaced by one.
+    std::error_code none;
+    const std::filesystem::file_status status = std::filesystem::status(path, none);
+    const bool whole = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+    const std::string target =
+        std::filesystem::exists(status) ? std::filesystem::canonical(path, none).string() : path;
+    const std::string temporary = whole ? target + ".tmp." + std::to_string(getpid()) : target;
     File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
     if (!file) fail("write", path);
     const bool written = put(file.get(), text) && std::fclose(file.release()) == 0;
-    if (!written || std::rename(temporary.c_str(), path.c_str()) != 0) {
+    if (!whole) {
+        if (!written) fail("write", path);
+    } else if (!written || std::rename(temporary.c_str(), target.c_str()) != 0) {
         const int reason = errno;
         std::remove(temporary.c_str());
         errno = reason;

@@ -162,6 +162,8 @@ std::vector<std::string> differences(const Table& committed, const Table& regene
         for (const ColumnHead& column : table.columns) joined += column.name + " ";
         return joined;
     };
+    if (committed.comments != regenerated.comments)
+        found.emplace_back("the comments, which say what was computed");
     if (names(committed) != names(regenerated))
         return {"columns: " + names(committed) + "!= " + names(regenerated)};
     if (committed.rows.size() != regenerated.rows.size())

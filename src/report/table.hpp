@@ -45,7 +45,8 @@ std::string csv(const Table& table);
 /// \throws particles::FailedComputation naming the line that is no row of the table
 Table parsed(const std::string& csv);
 
-/// Where two tables differ by more than the tolerances that the first one states; empty if they agree.
+/// Where two tables differ in comments, names or words, or by more than the tolerances that the first one states; empty if they
+/// agree.
 std::vector<std::string> differences(const Table& committed, const Table& regenerated);
 
 }  // namespace report

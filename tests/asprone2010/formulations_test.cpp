@@ -72,17 +72,35 @@ TEST_CASE(
             });
 }
 
-TEST_CASE("formulations: the number of particles that each states is needed and suffices") {
+TEST_CASE(
+    "formulations: the number of particles that each states suffices, and with one fewer there is no second "
+    "derivative") {
     for (const auto& formulation : formulations<double>()) {
         CAPTURE(formulation.name);
         const auto [line, smoothing] =
             particles_of(formulation.particles, {particles::Volumes::equal, particles::Gaussian{}, 1, 0.2});
         CHECK_NOTHROW(static_cast<void>(formulation.operators(line, smoothing)));
-        if (formulation.particles > 2) {
-            const auto few = particles_of(formulation.particles - 1);
-            CHECK_THROWS_AS(static_cast<void>(formulation.operators(few.line, few.smoothing)),
-                            particles::FailedComputation);
-        }
+        if (formulation.particles == 2) continue;  // a line has no fewer
+        const auto few = particles_of(formulation.particles - 1);
+        const auto unchecked = [&] {
+            return formulation.assemble(few.line, few.smoothing, {formulation.name, 1});
+        };
+        if (formulation.name == "chen_beraun")
+            CHECK(Eigen::MatrixXd(unchecked().D2).cwiseAbs().maxCoeff() < 1e-12);
+        else
+            CHECK_THROWS_AS(static_cast<void>(unchecked()), particles::FailedComputation);
+    }
+}
+
+TEST_CASE(
+    "formulations: the second derivative of those that return the first alone is the first applied twice") {
+    const auto [line, smoothing] =
+        particles_of(60, {particles::Volumes::equal, particles::Gaussian{}, 1, 0.25});
+    const Column<double> B = line.x().unaryExpr(&support::Wave::B);
+    for (const char* name : {"original", "rkpm_first_order", "rkpm_second_order", "fpm"}) {
+        const auto [D, D2] = formulation_named<double>(name).operators(line, smoothing);
+        const Column<double> twice = particles::apply(D, particles::apply(D, B));
+        CHECK((particles::apply(D2, B) - twice).abs().maxCoeff() < 1e-9);
     }
 }
 

@@ -17,10 +17,10 @@ CentredKernel at(double x, double h = 0.05) {
 
 TEST_CASE("(23): the polynomial and its derivative") {
     const Eigen::Vector3d c{2, -3, 5};
-    CHECK(correction<0, 1, 2>(c, 0.5) == doctest::Approx(2 - 1.5 + 1.25).epsilon(1e-15));
-    CHECK(correction_derivative<0, 1, 2>(c, 0.5) == doctest::Approx(-3 + 5).epsilon(1e-15));
-    CHECK(correction<0, 1, 3>(c, 0.5) == doctest::Approx(2 - 1.5 + 0.625).epsilon(1e-15));
-    CHECK(correction_derivative<0, 1, 3>(c, 0.5) == doctest::Approx(-3 + 15 * 0.25).epsilon(1e-15));
+    CHECK(correction<0, 1, 2>(c, 0.5) == support::relative(2 - 1.5 + 1.25, 1e-15));
+    CHECK(correction_derivative<0, 1, 2>(c, 0.5) == support::relative(-3 + 5, 1e-15));
+    CHECK(correction<0, 1, 3>(c, 0.5) == support::relative(2 - 1.5 + 0.625, 1e-15));
+    CHECK(correction_derivative<0, 1, 3>(c, 0.5) == support::relative(-3 + 15 * 0.25, 1e-15));
     const Column<double> s = Column<double>::LinSpaced(4, -1, 2);
     for (Index k = 0; k < 4; ++k) CHECK(correction<0, 1, 2>(c, s)[k] == correction<0, 1, 2>(c, double(s[k])));
 }
@@ -28,16 +28,16 @@ TEST_CASE("(23): the polynomial and its derivative") {
 TEST_CASE("(22): DK is the derivative of K") {
     const auto K_i = corrected<0, 1, 2>(at(0.02));
     for (const double x : {0.0, 0.01, 0.05, 0.2})
-        CHECK(K_i.DW(x) == doctest::Approx((K_i.W(x + 1e-6) - K_i.W(x - 1e-6)) / 2e-6).epsilon(1e-6));
+        CHECK(K_i.DW(x) == support::relative((K_i.W(x + 1e-6) - K_i.W(x - 1e-6)) / 2e-6, 1e-6));
 }
 
 TEST_CASE("A07: the corrected kernels have the moments 1, 0 and 1, 0, 0, at the ends too") {
     for (const double x : {0.0, 0.013, 0.5, 1.0}) {
         const auto first = corrected<0, 1>(at(x));
-        CHECK(first.moment(0, first.W) == doctest::Approx(1).epsilon(1e-12));
+        CHECK(first.moment(0, first.W) == support::relative(1, 1e-12));
         CHECK(std::abs(first.moment(1, first.W)) < 1e-14);
         const auto second = corrected<0, 1, 2>(at(x));
-        CHECK(second.moment(0, second.W) == doctest::Approx(1).epsilon(1e-12));
+        CHECK(second.moment(0, second.W) == support::relative(1, 1e-12));
         CHECK(std::abs(second.moment(1, second.W)) < 1e-14);
         CHECK(std::abs(second.moment(2, second.W)) < 1e-14);
     }
@@ -49,10 +49,10 @@ TEST_CASE("the discrete moments of the discrete kernels are 1, 0 and 1, 0, 0 on 
     for (Index i = 0; i < 50; ++i) {
         const auto near = particles::neighbourhood(line, smoothing, i);
         const auto first = corrected<0, 1>(near);
-        CHECK((first.W * first.V).sum() == doctest::Approx(1).epsilon(1e-12));
+        CHECK((first.W * first.V).sum() == support::relative(1, 1e-12));
         CHECK(std::abs((first.r * first.W * first.V).sum()) < 1e-12);
         const auto second = corrected<0, 1, 2>(near);
-        CHECK((second.W * second.V).sum() == doctest::Approx(1).epsilon(1e-12));
+        CHECK((second.W * second.V).sum() == support::relative(1, 1e-12));
         CHECK(std::abs((second.r * second.W * second.V).sum()) < 1e-12);
         CHECK(std::abs((second.r * second.r * second.W * second.V).sum()) < 1e-12);
     }
@@ -66,10 +66,10 @@ TEST_CASE(
     const auto second = [](const CentredKernel& W_i) {
         return value(Wave::B, corrected<0, 1, 2>(W_i)) - Wave::B(W_i.x);
     };
-    CHECK(order_in_h(1, first) == doctest::Approx(2).epsilon(0.05));
-    CHECK(order_in_h(0.5, first) == doctest::Approx(2).epsilon(0.05));
-    CHECK(order_in_h(1, second) == doctest::Approx(3).epsilon(0.05));
-    CHECK(order_in_h(0.5, second) == doctest::Approx(4).epsilon(0.05));
+    CHECK(order_in_h(1, first) == support::relative(2, 0.05));
+    CHECK(order_in_h(0.5, first) == support::relative(2, 0.05));
+    CHECK(order_in_h(1, second) == support::relative(3, 0.05));
+    CHECK(order_in_h(0.5, second) == support::relative(4, 0.05));
 }
 
 TEST_CASE("(24): the expansion to the second derivative leaves O(h³)") {
@@ -77,7 +77,7 @@ TEST_CASE("(24): the expansion to the second derivative leaves O(h³)") {
         const auto K_i = corrected<0, 1>(W_i);
         return value(Wave::B, K_i) - expanded_value(Wave::B(W_i.x), Wave::DB(W_i.x), Wave::D2B(W_i.x), K_i);
     };
-    CHECK(order_in_h(1, left) == doctest::Approx(3).epsilon(0.05));
+    CHECK(order_in_h(1, left) == support::relative(3, 0.05));
 }
 
 TEST_CASE("the discrete (21) tends to the integral as δ/h → 0, for both orders") {

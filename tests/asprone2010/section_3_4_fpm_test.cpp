@@ -22,10 +22,10 @@ TEST_CASE("(27), (28): orders of the remainders over the norms, at an end and in
     const auto second = [](const CentredKernel& W_i) {
         return second_remainder(Wave::B, Wave::DB(W_i.x), W_i) / W_i.norm(W_i.DW);
     };
-    CHECK(order_in_h(1, first) == doctest::Approx(2).epsilon(0.05));
-    CHECK(order_in_h(0.5, first) == doctest::Approx(2).epsilon(0.05));
-    CHECK(order_in_h(1, second) == doctest::Approx(2).epsilon(0.05));
-    CHECK(order_in_h(0.5, second) == doctest::Approx(3).epsilon(0.05));
+    CHECK(order_in_h(1, first) == support::relative(2, 0.05));
+    CHECK(order_in_h(0.5, first) == support::relative(2, 0.05));
+    CHECK(order_in_h(1, second) == support::relative(2, 0.05));
+    CHECK(order_in_h(0.5, second) == support::relative(3, 0.05));
 }
 
 TEST_CASE("(29): the matrix at an end in closed form, by quadrature") {
@@ -41,8 +41,8 @@ TEST_CASE("(30): linear functions and their derivatives are exact everywhere, by
     const auto line_B = [](double x) { return 3 - 2 * x; };
     for (const double x : {0.0, 0.02, 0.5, 1.0}) {
         const Eigen::Vector2d found = value_and_derivative(line_B, at(x));
-        CHECK(found[0] == doctest::Approx(line_B(x)).epsilon(1e-12));
-        CHECK(found[1] == doctest::Approx(-2).epsilon(1e-11));
+        CHECK(found[0] == support::relative(line_B(x), 1e-12));
+        CHECK(found[1] == support::relative(-2, 1e-11));
     }
     const auto [line, smoothing] =
         support::particles_of(40, {particles::Volumes::partition, particles::Gaussian{}, 1, 0.4});
@@ -50,9 +50,9 @@ TEST_CASE("(30): linear functions and their derivatives are exact everywhere, by
         const auto near = particles::within_reach(line, smoothing, i);
         const auto weights = value_and_derivative(particles::neighbourhood(line, smoothing, i));
         CHECK(support::sum_of_values(weights.value, line, near, line_B) ==
-              doctest::Approx(line_B(line.x()[i])).epsilon(1e-12));
+              support::relative(line_B(line.x()[i]), 1e-12));
         CHECK(support::sum_of_values(weights.first, line, near, line_B) / smoothing.h() ==
-              doctest::Approx(-2).epsilon(1e-10));
+              support::relative(-2, 1e-10));
     }
 }
 
@@ -86,8 +86,8 @@ TEST_CASE(
         const auto part = [&](const CentredKernel& W_i) {
             return error(Wave::B, Wave::DB(W_i.x), W_i)[unknown];
         };
-        CHECK(order_in_h(0.5, part) == doctest::Approx(2).epsilon(0.05));
-        CHECK(order_in_h(1, part) == doctest::Approx(unknown == 0 ? 2 : 1).epsilon(0.05));
+        CHECK(order_in_h(0.5, part) == support::relative(2, 0.05));
+        CHECK(order_in_h(1, part) == support::relative(unknown == 0 ? 2 : 1, 0.05));
     }
 }
 
@@ -110,9 +110,9 @@ TEST_CASE(
         DB_end.push_back(error(N - 1, true));
         DB_inside.push_back(error(N / 2, true));
     }
-    CHECK(report::observed_order(spacing, B) == doctest::Approx(2).epsilon(0.05));
-    CHECK(report::observed_order(spacing, DB_end) == doctest::Approx(1).epsilon(0.05));
-    CHECK(report::observed_order(spacing, DB_inside) == doctest::Approx(2).epsilon(0.05));
+    CHECK(report::observed_order(spacing, B) == support::relative(2, 0.05));
+    CHECK(report::observed_order(spacing, DB_end) == support::relative(1, 0.05));
+    CHECK(report::observed_order(spacing, DB_inside) == support::relative(2, 0.05));
 }
 
 TEST_CASE(
@@ -124,8 +124,8 @@ TEST_CASE(
         const Column<double> B = line.x().exp();
         return (particles::apply(D2, B) - B).abs().maxCoeff();
     };
-    CHECK(error(particles::Volumes::equal) == doctest::Approx(1.29).epsilon(0.005));
-    CHECK(error(particles::Volumes::partition) == doctest::Approx(1.03).epsilon(0.005));
+    CHECK(error(particles::Volumes::equal) == support::relative(1.29, 0.005));
+    CHECK(error(particles::Volumes::partition) == support::relative(1.03, 0.005));
 }
 
 TEST_CASE("the procedure reiterated is (30) of (30)") {

@@ -22,10 +22,10 @@ TEST_CASE("(33), (34): orders of the remainders over the norms, at an end and in
     const auto second = [](const CentredKernel& W_i) {
         return second_remainder(Wave::B, Wave::DB(W_i.x), Wave::D2B(W_i.x), W_i) / W_i.norm(W_i.DW);
     };
-    CHECK(order_in_h(1, first) == doctest::Approx(3).epsilon(0.05));
-    CHECK(order_in_h(0.5, first) == doctest::Approx(4).epsilon(0.05));
-    CHECK(order_in_h(1, second) == doctest::Approx(3).epsilon(0.05));
-    CHECK(order_in_h(0.5, second) == doctest::Approx(3).epsilon(0.05));
+    CHECK(order_in_h(1, first) == support::relative(3, 0.05));
+    CHECK(order_in_h(0.5, first) == support::relative(4, 0.05));
+    CHECK(order_in_h(1, second) == support::relative(3, 0.05));
+    CHECK(order_in_h(0.5, second) == support::relative(3, 0.05));
 }
 
 TEST_CASE("(35): the matrix at an end in closed form, and its zeros inside") {
@@ -40,8 +40,8 @@ TEST_CASE("(36): parabolas are exact everywhere, by quadrature and as sums on ra
     const auto parabola = [](double x) { return 1 - 2 * x + 3 * x * x; };
     for (const double x : {0.0, 0.02, 0.5, 1.0}) {
         const Eigen::Vector2d found = derivatives(parabola, at(x));
-        CHECK(found[0] == doctest::Approx(-2 + 6 * x).epsilon(1e-11));
-        CHECK(found[1] == doctest::Approx(6).epsilon(1e-10));
+        CHECK(found[0] == support::relative(-2 + 6 * x, 1e-11));
+        CHECK(found[1] == support::relative(6, 1e-10));
     }
     const auto [line, smoothing] =
         support::particles_of(40, {particles::Volumes::partition, particles::Gaussian{}, 1, 0.4});
@@ -50,9 +50,9 @@ TEST_CASE("(36): parabolas are exact everywhere, by quadrature and as sums on ra
         const auto weights = derivatives(particles::neighbourhood(line, smoothing, i));
         const double h = smoothing.h();
         CHECK(support::sum_of_differences(weights.first, line, near, i, parabola) / h ==
-              doctest::Approx(-2 + 6 * line.x()[i]).epsilon(1e-10));
+              support::relative(-2 + 6 * line.x()[i], 1e-10));
         CHECK(support::sum_of_differences(weights.second, line, near, i, parabola) / (h * h) ==
-              doctest::Approx(6).epsilon(1e-9));
+              support::relative(6, 1e-9));
     }
 }
 
@@ -86,8 +86,8 @@ TEST_CASE(
         const auto part = [&](const CentredKernel& W_i) {
             return error(Wave::B, Wave::DB(W_i.x), Wave::D2B(W_i.x), W_i)[unknown];
         };
-        CHECK(order_in_h(0.5, part) == doctest::Approx(2).epsilon(0.05));
-        CHECK(order_in_h(1, part) == doctest::Approx(unknown == 0 ? 2 : 1).epsilon(0.05));
+        CHECK(order_in_h(0.5, part) == support::relative(2, 0.05));
+        CHECK(order_in_h(1, part) == support::relative(unknown == 0 ? 2 : 1, 0.05));
     }
 }
 

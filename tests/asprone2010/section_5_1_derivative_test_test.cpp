@@ -37,9 +37,9 @@ const auto second_interior = [](const auto& e) { return *e.second_interior; };
 }  // namespace
 
 TEST_CASE("5.1: errors for eˣ with 1280 particles are those of an independent calculation") {
-    CHECK(errors("second_order_fpm", 1280).second == doctest::Approx(1.526e-6).epsilon(1e-3));
-    CHECK(errors("modified_fpm", 1280).second == doctest::Approx(2.153e-3).epsilon(1e-3));
-    CHECK(errors("chen_beraun", 1280).second == doctest::Approx(2.91335).epsilon(1e-4));
+    CHECK(errors("second_order_fpm", 1280).second == support::relative(1.526e-6, 1e-3));
+    CHECK(errors("modified_fpm", 1280).second == support::relative(2.153e-3, 1e-3));
+    CHECK(errors("chen_beraun", 1280).second == support::relative(2.91335, 1e-4));
 }
 
 TEST_CASE(
@@ -48,28 +48,28 @@ TEST_CASE(
     for (const auto volumes : {Volumes::equal, Volumes::partition}) {
         const numerical_tests::Discretisation how{volumes};
         for (const char* name : {"original", "rkpm_first_order", "rkpm_second_order"})
-            CHECK(order(name, fine, second, how) == doctest::Approx(-1).epsilon(0.05));
+            CHECK(order(name, fine, second, how) == support::relative(-1, 0.05));
         CHECK(std::abs(order("chen_beraun", fine, second, how)) < 0.01);
         CHECK(std::abs(order("fpm", fine, second, how)) < 0.01);
-        CHECK(order("modified_fpm", fine, second, how) == doctest::Approx(1).epsilon(0.01));
-        CHECK(order("second_order_fpm", fine, second, how) == doctest::Approx(2).epsilon(0.01));
+        CHECK(order("modified_fpm", fine, second, how) == support::relative(1, 0.01));
+        CHECK(order("second_order_fpm", fine, second, how) == support::relative(2, 0.01));
     }
 }
 
 TEST_CASE("5.1: the first derivative converges with the orders of Sections 3 and 4") {
     CHECK(std::abs(order("original", fine, first)) < 0.01);
-    CHECK(order("chen_beraun", fine, first) == doctest::Approx(1).epsilon(0.01));
-    CHECK(order("fpm", fine, first) == doctest::Approx(1).epsilon(0.01));
-    CHECK(order("modified_fpm", fine, first) == doctest::Approx(2).epsilon(0.01));
-    CHECK(order("second_order_fpm", fine, first) == doctest::Approx(2).epsilon(0.01));
+    CHECK(order("chen_beraun", fine, first) == support::relative(1, 0.01));
+    CHECK(order("fpm", fine, first) == support::relative(1, 0.01));
+    CHECK(order("modified_fpm", fine, first) == support::relative(2, 0.01));
+    CHECK(order("second_order_fpm", fine, first) == support::relative(2, 0.01));
 }
 
 TEST_CASE("A04, A10: inside, the corrected formulations are second order on uniform particles") {
     for (const char* name : {"chen_beraun", "modified_fpm", "second_order_fpm"}) {
-        CHECK(order(name, fine, first_interior) == doctest::Approx(2).epsilon(0.01));
-        CHECK(order(name, fine, second_interior) == doctest::Approx(2).epsilon(0.01));
+        CHECK(order(name, fine, first_interior) == support::relative(2, 0.01));
+        CHECK(order(name, fine, second_interior) == support::relative(2, 0.01));
     }
-    CHECK(order("fpm", fine, first_interior) == doctest::Approx(2).epsilon(0.01));
+    CHECK(order("fpm", fine, first_interior) == support::relative(2, 0.01));
 }
 
 TEST_CASE("A16: on perturbed particles the second-order FPM keeps order two in the median over seeds") {
@@ -82,7 +82,7 @@ TEST_CASE("A16: on perturbed particles the second-order FPM keeps order two in t
         spacing.push_back(1.0 / static_cast<double>(N - 1));
         median.push_back(report::quartiles(sample).median);
     }
-    CHECK(report::observed_order(spacing, median) == doctest::Approx(2).epsilon(0.05));
+    CHECK(report::observed_order(spacing, median) == support::relative(2, 0.05));
 }
 
 TEST_CASE(

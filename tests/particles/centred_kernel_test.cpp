@@ -3,27 +3,28 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
+#include "tests/relative.hpp"
 
 using namespace particles;
 
 TEST_CASE("centred kernel: moments of the Gaussian on a half line and inside, in closed form") {
     const double h = 0.05;
     const auto inside = centred(Gaussian{}, 0.5, h, {0, 1});
-    CHECK(inside.moment(0, inside.W) == doctest::Approx(1).epsilon(1e-14));
+    CHECK(inside.moment(0, inside.W) == support::relative(1, 1e-14));
     CHECK(std::abs(inside.moment(1, inside.W)) < 1e-17);
-    CHECK(inside.moment(2, inside.W) == doctest::Approx(h * h / 2).epsilon(1e-13));
-    CHECK(inside.moment(1, inside.DW) == doctest::Approx(-1).epsilon(1e-13));
+    CHECK(inside.moment(2, inside.W) == support::relative(h * h / 2, 1e-13));
+    CHECK(inside.moment(1, inside.DW) == support::relative(-1, 1e-13));
 
     const auto end = centred(Gaussian{}, 0, h, {0, 1});
-    CHECK(end.moment(0, end.W) == doctest::Approx(0.5).epsilon(1e-14));
-    CHECK(end.moment(1, end.W) == doctest::Approx(h / (2 * std::sqrt(std::numbers::pi))).epsilon(1e-14));
-    CHECK(end.moment(2, end.W) == doctest::Approx(h * h / 4).epsilon(1e-13));
-    CHECK(end.moment(0, end.DW) == doctest::Approx(-1 / (h * std::sqrt(std::numbers::pi))).epsilon(1e-14));
-    CHECK(end.moment(1, end.DW) == doctest::Approx(-0.5).epsilon(1e-14));
+    CHECK(end.moment(0, end.W) == support::relative(0.5, 1e-14));
+    CHECK(end.moment(1, end.W) == support::relative(h / (2 * std::sqrt(std::numbers::pi)), 1e-14));
+    CHECK(end.moment(2, end.W) == support::relative(h * h / 4, 1e-13));
+    CHECK(end.moment(0, end.DW) == support::relative(-1 / (h * std::sqrt(std::numbers::pi)), 1e-14));
+    CHECK(end.moment(1, end.DW) == support::relative(-0.5, 1e-14));
 
     const double x = 0.03;
     const auto near_end = centred(Gaussian{}, x, h, {0, 1});
-    CHECK(near_end.moment(0, near_end.W) == doctest::Approx((1 + std::erf(x / h)) / 2).epsilon(1e-14));
+    CHECK(near_end.moment(0, near_end.W) == support::relative((1 + std::erf(x / h)) / 2, 1e-14));
 }
 
 TEST_CASE("centred kernel: the integral of the derivative is the difference of the ends, for every kernel") {
@@ -38,8 +39,8 @@ TEST_CASE("centred kernel: the integral of the derivative is the difference of t
 
 TEST_CASE("centred kernel: norms") {
     const auto W_i = centred(Gaussian{}, 0.5, 0.05, {0, 1});
-    CHECK(W_i.norm(W_i.W) == doctest::Approx(1).epsilon(1e-14));
-    CHECK(W_i.norm(W_i.DW) == doctest::Approx(2 * W_i.W(0.5)).epsilon(1e-13));
+    CHECK(W_i.norm(W_i.W) == support::relative(1, 1e-14));
+    CHECK(W_i.norm(W_i.DW) == support::relative(2 * W_i.W(0.5), 1e-13));
 }
 
 TEST_CASE("centred kernel: an integral that is not finite is an error with the place") {

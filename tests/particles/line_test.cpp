@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include "tests/relative.hpp"
 
 using namespace particles;
 
@@ -23,7 +24,7 @@ TEST_CASE("line: uniform positions carry both ends and equal distances") {
     const auto x = uniform_positions<double>(11);
     CHECK(x[0] == 0);
     CHECK(x[10] == 1);
-    for (Index j = 0; j < 10; ++j) CHECK(x[j + 1] - x[j] == doctest::Approx(0.1).epsilon(1e-14));
+    for (Index j = 0; j < 10; ++j) CHECK(x[j + 1] - x[j] == support::relative(0.1, 1e-14));
 }
 
 TEST_CASE("line: perturbed positions stay in order, near their place, and the ends stay") {
@@ -37,7 +38,7 @@ TEST_CASE("line: perturbed positions stay in order, near their place, and the en
     CHECK(moved.abs().maxCoeff() <= a * (1 + 1e-9));
     CHECK(moved.abs().maxCoeff() > 0.99 * a);
     CHECK(std::abs(moved.mean()) < 0.02);
-    CHECK(moved.square().mean() == doctest::Approx(a * a / 3).epsilon(0.1));
+    CHECK(moved.square().mean() == support::relative(a * a / 3, 0.1));
     CHECK_NOTHROW(line_at<double>(x, Volumes::partition));
 }
 
@@ -53,11 +54,11 @@ TEST_CASE(
     const auto equal = line_at<double>(x, Volumes::equal);
     for (Index j = 0; j < 4; ++j) CHECK(equal.V()[j] == 1.0 / 3);
     const auto partition = line_at<double>(x, Volumes::partition);
-    CHECK(partition.V()[0] == doctest::Approx(0.15).epsilon(1e-15));
-    CHECK(partition.V()[1] == doctest::Approx(0.2).epsilon(1e-15));
-    CHECK(partition.V()[2] == doctest::Approx(0.35).epsilon(1e-15));
-    CHECK(partition.V()[3] == doctest::Approx(0.3).epsilon(1e-15));
-    CHECK(partition.V().sum() == doctest::Approx(partition.length()).epsilon(1e-15));
+    CHECK(partition.V()[0] == support::relative(0.15, 1e-15));
+    CHECK(partition.V()[1] == support::relative(0.2, 1e-15));
+    CHECK(partition.V()[2] == support::relative(0.35, 1e-15));
+    CHECK(partition.V()[3] == support::relative(0.3, 1e-15));
+    CHECK(partition.V().sum() == support::relative(partition.length(), 1e-15));
 }
 
 TEST_CASE("line: names of volume conventions") {

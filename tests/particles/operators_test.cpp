@@ -159,7 +159,7 @@ TEST_CASE(
         CHECK(error.starts_with(std::string(name) +
                                 ": particle 0 (x = 0) has 4 neighbours within 6h (0 on the left, 3 on the "
                                 "right), but the local system is singular (reciprocal condition "));
-        CHECK(error.ends_with("try --smoothing 1"));
+        CHECK(error.ends_with("take a larger --smoothing or particles that lie farther apart"));
     }
 }
 
@@ -168,4 +168,37 @@ TEST_CASE("operators: a formulation that fails at several particles names the fi
     CHECK(message("modified_fpm", 2000, {Volumes::equal, CubicSpline{}, 0.4, 0}).find("particle 0 ") !=
           std::string::npos);
     omp_set_num_threads(omp_get_num_procs());
+}
+
+TEST_CASE("operators: the remedy that the error names helps, for every kernel and number of particles") {
+    for_each_kernel([](const Kernel& kernel) {
+        for (Index N = 10; N < 60; ++N)
+            for (const double smoothing : {0.3, 0.7, 1.0}) {
+                const std::string error =
+                    message("second_order_fpm", N, {Volumes::equal, kernel, smoothing, 0});
+                const std::size_t remedy = error.find("try --smoothing ");
+                if (remedy == std::string::npos) continue;
+                CAPTURE(error);
+                const double larger = std::stod(error.substr(remedy + 16));
+                CHECK(larger > smoothing);
+                CHECK(message("second_order_fpm", N, {Volumes::equal, kernel, larger, 0}).find("needs") ==
+                      std::string::npos);
+            }
+    });
+}
+
+TEST_CASE("operators: more weights than an index can count are refused before they are written") {
+    const auto [line, smoothing] = particles_of(50000, {Volumes::equal, Gaussian{}, 10000, 0});
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(asprone2010::formulation_named<double>("chen_beraun").operators(line, smoothing)),
+        "an operator of 2500000000 weights is too large; take fewer particles or a smaller smoothing length",
+        InvalidInput);
+}
+
+TEST_CASE("operators: a row without a stored diagonal entry is refused") {
+    Operator<double> shift(3, 3);
+    const std::vector<Eigen::Triplet<double>> entries{{0, 0, 1}, {1, 2, 1}, {2, 2, 1}};
+    shift.setFromTriplets(entries.begin(), entries.end());
+    CHECK_THROWS_WITH_AS(annihilate_constants(shift), "row 1 of the operator stores no diagonal entry",
+                         InvalidInput);
 }

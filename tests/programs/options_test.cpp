@@ -5,6 +5,9 @@
 
 using namespace programs;
 
+extern "C" int openblas_get_num_threads();
+extern "C" void openblas_set_num_threads(int threads);
+
 TEST_CASE("options: four numbers of particles for each doubling, from 10 to 2560") {
     const auto N = four_a_doubling();
     CHECK(N.front() == 10);
@@ -74,6 +77,9 @@ TEST_CASE("options: bad invocations end with code 2 and one line that names the 
         check_refused(program + " --perturb 0.5", 2, "take 0 <= a < 0.5");
         check_refused(program + " --seeds 0", 2, "--seeds");
         check_refused(program + " --threads 0", 2, "--threads");
+        check_refused(program + " --seed 0", 2, "--seed");
+        check_refused(program + " --seed 4294967296", 2, "--seed");
+        check_refused(program + " --seed 4294967295 --seeds 2 --perturb 0.1", 2, "take a smaller --seed");
         check_refused(program + " --nonsense", 2, "--nonsense");
         check_refused(program + " file", 2, "file");
     }
@@ -89,11 +95,10 @@ TEST_CASE("options: failed computations end with code 1 and one line that names 
 
 TEST_CASE("options: an existing output stays as it is when a computation fails") {
     const Folder folder;
-    const std::string file = folder.path + "_kept.csv";
+    const std::string file = folder.path + "/kept.csv";
     report::write_whole(file, "kept");
     check_refused("derivative_test --kernel cubic_spline --particles 20 --output " + file, 1, "needs");
     CHECK(report::read_whole(file) == "kept");
-    std::filesystem::remove(file);
 }
 
 TEST_CASE("options: --help shows every option and an example that runs") {
@@ -110,4 +115,31 @@ TEST_CASE("options: --help shows every option and an example that runs") {
         CHECK(shown.code == 0);
         CHECK(shown.output.starts_with("# Asprone et al. (2010)"));
     }
+}
+
+TEST_CASE(
+    "options: a program computes with one BLAS thread, so that its bytes do not depend on their number") {
+    openblas_set_num_threads(2);
+    CLI::App app("", "test");
+    const Folder folder;
+    Options options;
+    options.output = folder.path + "/table.csv";
+    std::string name = "test";
+    char* arguments[] = {name.data(), nullptr};
+    int threads = 0;
+    CHECK(programs::run(app, 1, arguments, options, [&] {
+              threads = openblas_get_num_threads();
+              return report::Table{{}, {{"a"}}, {}};
+          }) == 0);
+    CHECK(threads == 1);
+}
+
+TEST_CASE("options: progress does not spoil the error on a terminal") {
+    const auto shown =
+        run("script -qec 'derivative_test --kernel cubic_spline --formulation original,second_order_fpm "
+            "--particles 20,40' "
+            "/dev/null");
+    const std::size_t error = shown.output.find("derivative_test: second_order_fpm");
+    REQUIRE(error != std::string::npos);
+    CHECK(shown.output.substr(0, error).ends_with("\r\033[K"));
 }

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "report/file.hpp"
+#include "tests/folder.hpp"
 
 /// Runs the programs that lie beside the test runner, as a user's shell does.
 namespace programs {
@@ -19,13 +19,7 @@ struct Outcome {
     std::string output, errors;
 };
 
-/// A folder for what a test writes, removed at the end.
-struct Folder {
-    std::string path =
-        (std::filesystem::temp_directory_path() / ("programs_test_" + std::to_string(getpid()))).string();
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-};
+using support::Folder;
 
 /// \param command a program's name and its options
 inline Outcome run(const std::string& command) {

@@ -1,5 +1,6 @@
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
+#include "tests/relative.hpp"
 
 using programs::run;
 
@@ -12,9 +13,9 @@ TEST_CASE("static_test: columns by their names and the numbers of an independent
           std::string::npos);
     const auto table = report::parsed(output);
     REQUIRE(table.rows.size() == 3);
-    CHECK(std::get<double>(table.rows[0].back()) == doctest::Approx(2.455e-3).epsilon(1e-3));
-    CHECK(std::get<double>(table.rows[1].back()) == doctest::Approx(2.139e-6).epsilon(1e-3));
-    CHECK(std::get<double>(table.rows[2].back()) == doctest::Approx(3.997e-7).epsilon(1e-3));
+    CHECK(std::get<double>(table.rows[0].back()) == support::relative(2.455e-3, 1e-3));
+    CHECK(std::get<double>(table.rows[1].back()) == support::relative(2.139e-6, 1e-3));
+    CHECK(std::get<double>(table.rows[2].back()) == support::relative(3.997e-7, 1e-3));
 }
 
 TEST_CASE("static_test: the same bytes on any number of threads") {

@@ -1,30 +1,22 @@
 #include "report/file.hpp"
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "particles/errors.hpp"
+#include "tests/folder.hpp"
 
-namespace {
-
-/// A folder of its own, removed at the end.
-struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("file_test_" + std::to_string(getpid()));
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-    [[nodiscard]] std::size_t entries() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path), {}));
-    }
-};
-
-}  // namespace
+using support::Folder;
 
 TEST_CASE("file: what is written is read, and nothing else is left") {
     const Folder folder;
-    const std::string path = folder.path / "a file.csv";
+    const std::string path = folder.path + "/a file.csv";
     const std::string text("one\ntwo\0three\n", 14);
     report::write_whole(path, text);
     CHECK(report::read_whole(path) == text);
@@ -35,18 +27,51 @@ TEST_CASE("file: what is written is read, and nothing else is left") {
 
 TEST_CASE("file: a failure names the file and the reason and leaves nothing behind") {
     const Folder folder;
-    const std::string missing = folder.path / "missing" / "file.csv";
+    const std::string missing = folder.path + "/missing/file.csv";
     CHECK_THROWS_WITH_AS(report::write_whole(missing, "text"),
                          ("cannot write " + missing + ": No such file or directory").c_str(),
                          particles::FailedComputation);
     CHECK_THROWS_WITH_AS(report::read_whole(missing),
                          ("cannot read " + missing + ": No such file or directory").c_str(),
                          particles::FailedComputation);
-    CHECK_THROWS_AS(report::write_whole(folder.path.string(), "text"), particles::FailedComputation);
-    CHECK_FALSE(std::filesystem::exists(folder.path.string() + ".tmp." + std::to_string(getpid())));
+    CHECK_THROWS_AS(report::write_whole(folder.path, "text"), particles::FailedComputation);
     CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("file: a full disk leaves an existing file untouched") {
-    CHECK_THROWS_AS(report::write_whole("/dev/full/x", "text"), particles::FailedComputation);
+TEST_CASE("file: a disk that fills up leaves an existing file untouched, and nothing beside it") {
+    const Folder folder;
+    const std::string path = folder.path + "/file.csv";
+    report::write_whole(path, "kept");
+    // No file may grow beyond 1000 bytes: to the program, a full disk.
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit little{1000, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &little);
+    auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
+    CHECK_THROWS_WITH_AS(report::write_whole(path, std::string(100000, 'x')),
+                         ("cannot write " + path + ": File too large").c_str(), particles::FailedComputation);
+    std::signal(SIGXFSZ, handler);
+    setrlimit(RLIMIT_FSIZE, &before);
+    CHECK(report::read_whole(path) == "kept");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("file: a link is followed and stays a link; a device stays a device") {
+    const Folder folder;
+    const std::string target = folder.path + "/target.csv", link = folder.path + "/link.csv",
+                      pipe = folder.path + "/pipe";
+    report::write_whole(target, "old");
+    std::filesystem::create_symlink(target, link);
+    report::write_whole(link, "new");
+    CHECK(std::filesystem::is_symlink(link));
+    CHECK(report::read_whole(target) == "new");
+
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    report::write_whole(pipe, "through");
+    std::string read(7, ' ');
+    CHECK(::read(reader, read.data(), read.size()) == 7);
+    CHECK(read == "through");
+    CHECK(std::filesystem::is_fifo(pipe));
+    close(reader);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <locale>
 
 #include "particles/errors.hpp"
 
@@ -48,6 +49,27 @@ TEST_CASE("table: words with commas and quotes come back as they were") {
     CHECK(csv(table) == "name,number\n\"one, \"\"two\"\", three\",2.5\n");
     CHECK(parsed(csv(table)).word(0, "name") == word);
     CHECK(parsed(csv(table)).word(0, "number") == "2.5");
+}
+
+TEST_CASE("table: numbers are written and read with a point in every locale") {
+    struct Comma : std::numpunct<char> {
+        [[nodiscard]] char do_decimal_point() const override { return ','; }
+        [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+        [[nodiscard]] std::string do_grouping() const override { return "\\3"; }
+    };
+    const std::string before = csv(example());
+    const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const std::string after = csv(example());
+    const Table back = parsed(after);
+    std::locale::global(old);
+    CHECK(after == before);
+    CHECK(std::get<double>(back.rows[0][2]) == 1.235e-5);
+}
+
+TEST_CASE("table: other comments are a difference, since they say what was computed") {
+    Table other = example();
+    other.comments = {"another kernel"};
+    CHECK(differences(example(), other).size() == 1);
 }
 
 TEST_CASE("table: a number that is not finite is never written") {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace support {
+
+/// A new empty folder for what a test writes, removed at the end.
+struct Folder {
+    std::string path = (std::filesystem::temp_directory_path() / "particles_test_XXXXXX").string();
+    Folder() { mkdtemp(path.data()); }
+    ~Folder() { std::filesystem::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] long entries() const {
+        return std::distance(std::filesystem::directory_iterator(path),
+                             std::filesystem::directory_iterator());
+    }
+};
+
+}  // namespace support
