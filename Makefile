@@ -20,10 +20,10 @@ PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopen
             doxygen libjs-mathjax chromium
 
 bin := $(BUILD)/bin
-programs := derivative_test static_test vibration_test claims walkthrough compare_tables
+programs := derivative_test static_test vibration_test choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/asprone2010/*.cpp src/report/*.cpp) src/programs/options.cpp)
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
-data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv claims.csv)
+data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv claims.csv choices.csv)
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
 .PHONY: help setup build data figures check claims doc check-doc verify clean
@@ -113,6 +113,7 @@ figure_2_left  = $(bin)/static_test
 figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
 figure_3       = $(bin)/vibration_test
 claims         = $(bin)/claims
+choices        = $(bin)/choices
 $(data): data/asprone2010/%.csv: paper/claims.csv | data/BUILD-INFO.txt
 	$($*) --output $@
 $(data:data/%=$(BUILD)/verify/%): $(BUILD)/verify/asprone2010/%.csv: FORCE
@@ -130,7 +131,7 @@ data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
 	} > $@
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
-figures/%.svg: figures/%.gp figures/style.gp $(filter-out %/claims.csv,$(data))
+figures/%.svg: figures/%.gp figures/style.gp $(filter %/figure_1.csv %/figure_2_left.csv %/figure_2_right.csv %/figure_3.csv,$(data))
 	@mkdir -p $(BUILD)/log
 	log=$(BUILD)/log/$(notdir $*).gnuplot
 	if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $$log || [[ -s $$log ]]; then
@@ -144,7 +145,7 @@ figures/%.svg: figures/%.gp figures/style.gp $(filter-out %/claims.csv,$(data))
 # The walkthrough: generated pages, Doxygen (whose every warning is an error), and a copy of the parts of MathJax that it needs.
 mathjax := /usr/share/javascript/mathjax
 walkthrough := $(wildcard doc/* paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
-$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough data/asprone2010/claims.csv $(figures)
+$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough data/asprone2010/claims.csv data/asprone2010/choices.csv $(figures)
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
 	BUILD=$(BUILD) doxygen doc/Doxyfile

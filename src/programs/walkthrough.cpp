@@ -36,6 +36,11 @@ std::string number(const std::string& equation) {
     return equation.substr(1);
 }
 
+/// Where the tests of a file stand on their page: asprone2010/claims_test.cpp -> test_asprone2010_claims_test.
+std::string anchor(const std::string& test) {
+    return "test_" + replaced(test.substr(0, test.rfind('.')), "/", "_");
+}
+
 /// A section's namespace page by the file that holds it: asprone2010/section_3_1_original.hpp -> asprone2010::original.
 std::string section_page(const std::string& code) {
     static const std::regex shape("(\\w+)/section_[0-9_]+(\\w+)\\.hpp");
@@ -110,8 +115,8 @@ std::string equation_page(const Table& equations, const Table& claims) {
                 about += " \\claim{" + claims.word(claim, "id") + "}";
         page += "| \\anchor index_" + equation + " \\eq{" + equation + "} | \\ref " +
                 section_page(equations.word(row, "code")) + " \"" + equations.word(row, "section") + "\" | " +
-                cell(equations.word(row, "meaning")) + " | \\ref test_" +
-                std::filesystem::path(test).stem().string() + " \"tests\" | " + about + " |\n";
+                cell(equations.word(row, "meaning")) + " | \\ref " + anchor(test) + " \"tests\" | " + about +
+                " |\n";
     }
     return page;
 }
@@ -123,19 +128,39 @@ std::string claims_page(const Table& claims, const Table& verdicts) {
         "in our words. Each verdict is "
         "computed: the statement is compared with what was measured under both conventions of the particle "
         "volumes, which the print "
-        "leaves open.\n\n| claim | says | quantity | stated | equal | partition | verdict |\n| --- | --- | "
+        "leaves open.\n\n| claim | says | verdict | quantity | stated | equal | partition |\n| --- | --- | "
         "--- | --- | --- | --- | --- |\n";
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {
         const std::string id = claims.word(row, "id");
         if (row >= verdicts.rows.size() || verdicts.word(row, "id") != id)
             throw FailedComputation("claim " + id + " has no verdict yet; run make claims");
         const std::string conditional = verdicts.word(row, "conditional");
-        page += "| \\anchor claim_" + id + " \\ref test_" +
-                std::filesystem::path(claims.word(row, "test")).stem().string() + " \"" + id + "\" | " +
-                cell(claims.word(row, "claim")) + " | " + cell(claims.word(row, "quantity")) + " | " +
-                cell(verdicts.word(row, "statement")) + " | " + verdicts.word(row, "measured_equal") + " | " +
-                verdicts.word(row, "measured_partition") + " | " + cell(verdicts.word(row, "verdict")) +
-                (conditional.empty() ? "" : " (then " + conditional + ")") + " |\n";
+        page += "| \\anchor claim_" + id + " \\ref " + anchor(claims.word(row, "test")) + " \"" + id +
+                "\" | " + cell(claims.word(row, "claim")) + " | " + cell(verdicts.word(row, "verdict")) +
+                (conditional.empty() ? "" : " (then " + conditional + ")") + " | " +
+                cell(claims.word(row, "quantity")) + " | " + cell(verdicts.word(row, "statement")) + " | " +
+                verdicts.word(row, "measured_equal") + " | " + verdicts.word(row, "measured_partition") +
+                " |\n";
+    }
+    return page;
+}
+
+/// What the print leaves open: the same quantities with one choice and with another, a table for each pair of choices.
+std::string choices_page(const Table& choices) {
+    std::string page =
+        "Choices {#choices}\n=======\n\nWhat the print leaves open, measured both ways. The \\ref "
+        "companion_asprone2010 "
+        "\"companion\" says what we chose and why.\n";
+    std::string current;
+    for (std::size_t row = 0; row < choices.rows.size(); ++row) {
+        const auto word = [&](const char* name) { return cell(choices.word(row, name)); };
+        if (const std::string head = word("choice"); head != current) {
+            page += "\n## " + head + "\n\n| quantity | formulation | " + word("one") + " | " + word("other") +
+                    " |\n| --- | --- | --- | --- |\n";
+            current = head;
+        }
+        page += "| " + word("quantity") + " | " + word("formulation") + " | " + word("with_one") + " | " +
+                word("with_other") + " |\n";
     }
     return page;
 }
@@ -145,8 +170,8 @@ std::string tests_page(const std::vector<std::string>& files) {
     std::string page =
         "Tests {#tests}\n=====\n\nWhat the tests of each file state. `make check` runs them all.\n\n";
     for (const std::string& file : files) {
-        const std::string stem = std::filesystem::path(file).stem().string();
-        page += "\\section test_" + stem + " " + file.substr(std::string("tests/").size()) + "\n";
+        const std::string name_of_file = file.substr(std::string("tests/").size());
+        page += "\\section " + anchor(name_of_file) + " " + name_of_file + "\n";
         for (const std::string& name : test_cases(file)) page += "- " + cell(name) + "\n";
         page += "\n";
     }
@@ -236,6 +261,8 @@ int main(int argc, char** argv) {
             std::filesystem::create_directories(pages);
             report::write_whole(pages + "/equations.md", equation_page(equations, claims));
             report::write_whole(pages + "/claims.md", claims_page(claims, verdicts));
+            report::write_whole(pages + "/choices.md",
+                                choices_page(table_of("data/asprone2010/choices.csv")));
             report::write_whole(pages + "/tests.md", tests_page(files));
         }
         const std::string readme = read_whole("README.md");

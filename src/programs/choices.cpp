@@ -1,0 +1,110 @@
+#include "asprone2010/section_5_1_derivative_test.hpp"
+#include "asprone2010/section_5_2_static_test.hpp"
+#include "asprone2010/section_5_3_vibration_test.hpp"
+#include "programs/options.hpp"
+#include "report/statistics.hpp"
+
+namespace {
+
+using namespace asprone2010;
+using numerical_tests::Discretisation;
+using numerical_tests::discretise;
+using particles::Gaussian;
+using particles::Volumes;
+
+double derivative_error(const Formulation<double>& formulation, Index N, const Discretisation& how,
+                        unsigned long seed = 1) {
+    return derivative_test::errors(formulation, discretise<double>(how, N, seed),
+                                   derivative_test::exponential<double>())
+        .second;
+}
+
+double static_error(const Formulation<double>& formulation, Index N, const Discretisation& how,
+                    unsigned long seed = 1) {
+    return static_test::error(formulation, discretise<double>(how, N, seed), static_test::exponential_load());
+}
+
+double first_ratio(const Formulation<double>& formulation, Volumes volumes) {
+    return vibration_test::frequencies(formulation, discretise<double>({volumes}, 100, 1)).front().real() /
+           vibration_test::exact_frequency(1);
+}
+
+double static_order(const Formulation<double>& formulation, const std::vector<Index>& numbers) {
+    std::vector<double> spacing, error;
+    for (const Index N : numbers) {
+        spacing.push_back(1 / static_cast<double>(N - 1));
+        error.push_back(static_error(formulation, N, {}));
+    }
+    return report::observed_order(spacing, error);
+}
+
+template <class Error>
+report::Quartiles spread(const Error& error) {
+    std::vector<double> sample(1000);
+    particles::for_each_index(1000, [&](Index k) {
+        sample[static_cast<std::size_t>(k)] =
+            error(Discretisation{Volumes::equal, Gaussian{}, 1, 0.25}, static_cast<unsigned long>(k) + 1);
+    });
+    return report::quartiles(sample);
+}
+
+report::Table measured() {
+    report::Table table;
+    table.comments = {
+        "Asprone et al. (2010), Section 5: what the print leaves open, and what another choice changes",
+        "a row: the same quantity with the one and with the other choice"};
+    table.columns = {{"choice"},
+                     {"one"},
+                     {"other"},
+                     {"quantity"},
+                     {"formulation"},
+                     {"with_one", {1e-4, 1e-9}},
+                     {"with_other", {1e-4, 1e-9}}};
+    const auto add = [&](const char* choice, const char* one, const char* other, const char* quantity,
+                         const Formulation<double>& formulation, double with_one, double with_other) {
+        table.rows.push_back({std::string(choice), std::string(one), std::string(other),
+                              std::string(quantity), std::string(formulation.name), with_one, with_other});
+    };
+    for (const auto& of : formulations<double>())
+        add("volumes", "equal", "partition", "error of D²B, 1280 particles", of,
+            derivative_error(of, 1280, {Volumes::equal}), derivative_error(of, 1280, {Volumes::partition}));
+    for (const auto& of : formulations<double>())
+        add("volumes", "equal", "partition", "error of u, 640 particles", of,
+            static_error(of, 640, {Volumes::equal}), static_error(of, 640, {Volumes::partition}));
+    for (const auto& of : formulations<double>())
+        add("volumes", "equal", "partition", "first frequency over exact, 100 particles", of,
+            first_ratio(of, Volumes::equal), first_ratio(of, Volumes::partition));
+    for (const char* name : {"original", "rkpm_first_order", "rkpm_second_order"})
+        add("numbers of particles", "20 to 160", "10240 to 40960", "order of u",
+            formulation_named<double>(name), static_order(formulation_named<double>(name), {20, 40, 80, 160}),
+            static_order(formulation_named<double>(name), {10240, 20480, 40960}));
+    const auto& second_order = formulation_named<double>("second_order_fpm");
+    const auto derivative = spread([&](const Discretisation& how, unsigned long seed) {
+        return derivative_error(second_order, 320, how, seed);
+    });
+    const auto displacement = spread([&](const Discretisation& how, unsigned long seed) {
+        return static_error(second_order, 320, how, seed);
+    });
+    add("draw of the perturbation", "lower quartile of 1000 seeds", "upper quartile",
+        "error of D²B, 320 particles", second_order, derivative.lower, derivative.upper);
+    add("draw of the perturbation", "lower quartile of 1000 seeds", "upper quartile",
+        "error of u, 320 particles", second_order, displacement.lower, displacement.upper);
+    for (const auto& of : formulations<double>())
+        add("derivative at x = 1", "the formulation's own", "second-order FPM's", "error of u, 640 particles",
+            of, static_error(of, 640, {}),
+            static_test::error(of, second_order, discretise<double>({}, 640, 1),
+                               static_test::exponential_load()));
+    return table;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Measures what the choices change that the print of Asprone et al. (2010) leaves open.",
+                 "choices");
+    app.footer("Example: choices --output /tmp/choices.csv");
+    programs::Options options;
+    app.add_option("--output", options.output, "CSV file to write (default: standard output)")
+        ->type_name("FILE");
+    return programs::run(app, argc, argv, options, measured);
+}
