@@ -16,21 +16,28 @@ CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpe
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3
 LDLIBS := -llapacke -lopenblas -lgsl
 
-PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libcli11-dev doctest-dev \
-            doxygen libjs-mathjax chromium
+# A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
+for_doc := doxygen libjs-mathjax
+for_check_doc := chromium
+PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libcli11-dev doctest-dev
+goals := $(filter-out setup,$(MAKECMDGOALS))
+PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
+PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/asprone2010/*.cpp src/report/*.cpp) src/programs/options.cpp)
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp)
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
-data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv claims.csv choices.csv)
+data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv)
+ledger := $(addprefix data/asprone2010/,claims.csv choices.csv)
+tables := $(data) $(ledger)
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
 .PHONY: help setup build data figures check claims doc check-doc verify clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-setup: ## install the Debian packages that are missing
+setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@missing=
 	for package in $(PACKAGES); do
 	    status=$$(dpkg-query -W -f='$${Status}' "$$package" 2>/dev/null || true)
@@ -55,7 +62,7 @@ figures: $(figures) ## draw the figures of the paper into figures/
 check: $(BUILD)/bin/check build ## run the tests
 	@$(BUILD)/bin/check
 
-claims: data/asprone2010/claims.csv $(bin)/walkthrough ## decide every claim of the paper, and write the README's table
+claims: $(ledger) $(bin)/walkthrough ## decide every claim of the paper, measure the choices, write the README's table
 	@$(bin)/walkthrough --write-readme
 	$(bin)/claims --count data/asprone2010/claims.csv
 
@@ -64,9 +71,9 @@ doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
 check-doc: doc ## open every page of the walkthrough in a browser, and fail on what does not work
 	@bash doc/check $(BUILD)/doc/html
 
-verify: $(data:data/%=$(BUILD)/verify/%) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compute the data once more and compare with the committed, look that figures are whole
+verify: $(tables:data/%=$(BUILD)/verify/%) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compute the data once more and compare with the committed, look that figures are whole
 	@failed=0
-	for table in $(data); do
+	for table in $(tables); do
 	    git show "HEAD:$$table" > $(BUILD)/verify/committed.csv
 	    $(bin)/compare_tables $(BUILD)/verify/committed.csv "$(BUILD)/verify/$${table#data/}" |
 	        sed "s|$(BUILD)/verify/committed.csv|$$table|" || failed=1
@@ -75,7 +82,8 @@ verify: $(data:data/%=$(BUILD)/verify/%) $(figures) $(bin)/compare_tables $(bin)
 	    if head -n 1 "$$figure" | grep -q '<?xml' && tail -n 2 "$$figure" | grep -qx '</svg>'; then echo "$$figure: whole"
 	    else echo "$$figure: missing or not whole"; failed=1; fi
 	done
-	$(bin)/walkthrough --check-readme || failed=1
+	git show HEAD:README.md > $(BUILD)/verify/README.md
+	$(bin)/walkthrough --readme $(BUILD)/verify/README.md --check-readme || failed=1
 	exit $$failed
 
 clean: ## remove what was built
@@ -100,6 +108,7 @@ $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
 
+$(bin)/claims $(bin)/check: $(BUILD)/src/asprone2010/claims.o
 $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
@@ -114,14 +123,15 @@ figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
 figure_3       = $(bin)/vibration_test
 claims         = $(bin)/claims
 choices        = $(bin)/choices
-$(data): data/asprone2010/%.csv: paper/claims.csv | data/BUILD-INFO.txt
+data/asprone2010/claims.csv $(BUILD)/verify/asprone2010/claims.csv: paper/claims.csv
+$(tables): data/asprone2010/%.csv: | data/BUILD-INFO.txt
 	$($*) --output $@
-$(data:data/%=$(BUILD)/verify/%): $(BUILD)/verify/asprone2010/%.csv: FORCE
+$(tables:data/%=$(BUILD)/verify/%): $(BUILD)/verify/asprone2010/%.csv: FORCE
 	@mkdir -p $(@D)
 	$($*) --output $@
 # Each table hangs on the program that its command names.
-$(foreach table,$(data),$(eval $(table) $(table:data/%=$(BUILD)/verify/%): $(firstword $($(basename $(notdir $(table)))))))
-data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
+$(foreach table,$(tables),$(eval $(table) $(table:data/%=$(BUILD)/verify/%): $(firstword $($(basename $(notdir $(table)))))))
+data/BUILD-INFO.txt: $(addprefix $(bin)/,derivative_test static_test vibration_test)
 	@{
 	    echo "commit:   $$(git describe --always --dirty 2>/dev/null || echo unknown)"
 	    echo "compiler: $$($(CXX) --version | head -n 1)"
@@ -131,7 +141,7 @@ data/BUILD-INFO.txt: $(addprefix $(bin)/,$(programs))
 	} > $@
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
-figures/%.svg: figures/%.gp figures/style.gp $(filter %/figure_1.csv %/figure_2_left.csv %/figure_2_right.csv %/figure_3.csv,$(data))
+figures/%.svg: figures/%.gp figures/style.gp $(data)
 	@mkdir -p $(BUILD)/log
 	log=$(BUILD)/log/$(notdir $*).gnuplot
 	if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $$log || [[ -s $$log ]]; then
@@ -145,7 +155,7 @@ figures/%.svg: figures/%.gp figures/style.gp $(filter %/figure_1.csv %/figure_2_
 # The walkthrough: generated pages, Doxygen (whose every warning is an error), and a copy of the parts of MathJax that it needs.
 mathjax := /usr/share/javascript/mathjax
 walkthrough := $(wildcard doc/* paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
-$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough data/asprone2010/claims.csv data/asprone2010/choices.csv $(figures)
+$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
 	BUILD=$(BUILD) doxygen doc/Doxyfile

@@ -9,6 +9,12 @@ namespace asprone2010 {
 /// The first-order expansion against \f$DW_i\f$ gives DB, the second-order one against \f$W_i\f$ gives D²B, which takes DB
 /// from the former.
 ///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$DB(x_i),\ D^2B(x_i)\f$ | `DB_i`, `D2B_i` | derivatives at the particle, exact or approximated |
+/// | \f$e\f$ | `first_remainder`, `second_remainder` | what the truncated expansion leaves of a projection |
+/// | \f$\|W_i\|_{L^1}\f$ | `W_i.norm(W_i.W)` | norm of the kernel |
+///
 /// Departures from the print: \eq{A14} puts the error e on its right-hand side, so that DB is the quotient *minus* e over the
 /// denominator; \eq{A15} and \eq{A19} print plus. Here both stand without e, as they are used, and the equality signs of
 /// \eq{A15}, \eq{A19} and \eq{A20} are approximate. And \eq{A20} errs by O(h) at the boundary only if DB errs by no more than

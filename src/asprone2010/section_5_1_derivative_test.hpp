@@ -8,6 +8,12 @@ namespace asprone2010 {
 
 /// Section 5.1, the derivative test: how well are the derivatives of eˣ approximated? Figure 1.
 ///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$f(x) = e^x\f$ | `exponential()` | the function, with its derivatives |
+/// | \f$f''(x)\f$ | `Exact::D2f` | its second derivative |
+/// | infinity norm | `Errors` | largest error over the particles, all or interior |
+///
 /// The particles hold the exact values; D and D² are applied to them and compared with the exact derivatives in the
 /// infinity norm, which is governed by the worst particle, and that lies on the boundary.
 ///

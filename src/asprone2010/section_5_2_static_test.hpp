@@ -7,6 +7,12 @@ namespace asprone2010 {
 
 /// Section 5.2, the static test: an elastic rod of unit length and stiffness under a body load. Figure 2.
 ///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$u\f$ | `u`, `displacement` | axial displacement |
+/// | \f$f = e^x\f$ | `right_hand_side` | body load, \f$-u''\f$ of the exact solution |
+/// | \f$u(0) = u'(1) = 0\f$ | first and last row of `system` | clamped and traction-free end |
+///
 /// Equation \eq{A45} is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
 /// the formulation's own operators.
 ///

@@ -6,6 +6,13 @@ namespace asprone2010 {
 
 /// Section 5, what the three numerical tests share: Ω = [0, 1], particles at equal distances, a Gaussian with h = δ.
 ///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$N\f$ | `N`, `line.size()` | number of particles |
+/// | \f$\delta\f$ | `line.spacing()` | distance between particles |
+/// | \f$h\f$ | `smoothing.h()` | smoothing length, `Discretisation::smoothing` times δ |
+/// | δ/4 | `Discretisation::perturbation` | amplitude of the random displacement, 1/4 |
+///
 /// The print leaves open where the particles lie in their cells, which volumes the end particles carry, which numbers of
 /// particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle, since both tests impose
 /// boundary conditions there; volumes follow a named

@@ -31,6 +31,12 @@ std::string cell(std::string text) {
     return text;
 }
 
+/// The same with the equations that the text names, "(16)", as links.
+std::string linked(const std::string& text) {
+    static const std::regex name("\\(([0-9]{1,2})\\)");
+    return std::regex_replace(cell(text), name, "\\eq{A$1}");
+}
+
 /// The number in an equation's key: A16 -> 16.
 std::string number(const std::string& equation) {
     return equation.substr(1);
@@ -136,9 +142,9 @@ std::string claims_page(const Table& claims, const Table& verdicts) {
             throw FailedComputation("claim " + id + " has no verdict yet; run make claims");
         const std::string conditional = verdicts.word(row, "conditional");
         page += "| \\anchor claim_" + id + " \\ref " + anchor(claims.word(row, "test")) + " \"" + id +
-                "\" | " + cell(claims.word(row, "claim")) + " | " + cell(verdicts.word(row, "verdict")) +
+                "\" | " + linked(claims.word(row, "claim")) + " | " + cell(verdicts.word(row, "verdict")) +
                 (conditional.empty() ? "" : " (then " + conditional + ")") + " | " +
-                cell(claims.word(row, "quantity")) + " | " + cell(verdicts.word(row, "statement")) + " | " +
+                linked(claims.word(row, "quantity")) + " | " + cell(verdicts.word(row, "statement")) + " | " +
                 verdicts.word(row, "measured_equal") + " | " + verdicts.word(row, "measured_partition") +
                 " |\n";
     }
@@ -172,7 +178,9 @@ std::string tests_page(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         const std::string name_of_file = file.substr(std::string("tests/").size());
         page += "\\section " + anchor(name_of_file) + " " + name_of_file + "\n";
-        for (const std::string& name : test_cases(file)) page += "- " + cell(name) + "\n";
+        const bool of_paper = file.starts_with("tests/asprone2010/");
+        for (const std::string& name : test_cases(file))
+            page += "- " + (of_paper ? linked(name) : cell(name)) + "\n";
         page += "\n";
     }
     return page;
@@ -234,9 +242,11 @@ int main(int argc, char** argv) {
         "test. It runs in the top folder.",
         "walkthrough");
     app.footer("Example: walkthrough --pages build/doc/pages");
-    std::string pages;
+    std::string pages, readme_file = "README.md";
     bool write_readme = false, check_readme = false;
     app.add_option("--pages", pages, "folder to write the pages into")->type_name("FOLDER");
+    app.add_option("--readme", readme_file, "the README to write or check (default README.md)")
+        ->type_name("FILE");
     app.add_flag("--write-readme", write_readme, "write the table of README.md anew");
     app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
     try {
@@ -265,9 +275,9 @@ int main(int argc, char** argv) {
                                 choices_page(table_of("data/asprone2010/choices.csv")));
             report::write_whole(pages + "/tests.md", tests_page(files));
         }
-        const std::string readme = read_whole("README.md");
+        const std::string readme = read_whole(readme_file);
         const std::string fresh = with_part(readme, readme_table(table_of("paper/items.csv"), verdicts));
-        if (write_readme && fresh != readme) report::write_whole("README.md", fresh);
+        if (write_readme && fresh != readme) report::write_whole(readme_file, fresh);
         if (check_readme && fresh != readme)
             throw FailedComputation("the table of README.md is stale; run make claims");
         return 0;
