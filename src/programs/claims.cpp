@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 #include "solvers/blas_threads.hpp"
@@ -32,6 +33,7 @@ report::Table judged(const report::Table& ledger) {
                      {"measured_partition", {1e-3, 1e-9}},
                      {"conditional", {1e-3, 1e-9}},
                      {"verdict"}};
+    programs::Progress progress(ledger.rows.size(), std::cerr, isatty(STDERR_FILENO) != 0);
     for (std::size_t row = 0; row < ledger.rows.size(); ++row) {
         const std::string id = ledger.word(row, "id");
         const auto computation = computations.find(id);
@@ -55,10 +57,8 @@ report::Table judged(const report::Table& ledger) {
                               ledger.word(row, "quantity"),
                               statement.relation + " " + particles::shown(statement.expected) + tolerance,
                               cell(equal, 0), cell(partition, 0), cell(equal, 1), verdict});
-        if (isatty(STDERR_FILENO) != 0)
-            std::cerr << "\r" << row + 1 << " of " << ledger.rows.size() << std::flush;
+        progress.step();
     }
-    if (isatty(STDERR_FILENO) != 0) std::cerr << "\n";
     if (computations.size() != ledger.rows.size())
         throw FailedComputation(std::to_string(computations.size()) + " computations decide " +
                                 std::to_string(ledger.rows.size()) +

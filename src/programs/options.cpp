@@ -10,6 +10,7 @@
 
 #include "particles/errors.hpp"
 #include "particles/operators.hpp"
+#include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
 #include "solvers/blas_threads.hpp"
@@ -30,29 +31,6 @@ std::vector<std::string> known_formulations(const std::vector<std::string>& extr
     names.insert(names.end(), extra.begin(), extra.end());
     return names;
 }
-
-/// "3 of 12" on a terminal, wiped when it ends, however it ends.
-class Progress {
-  public:
-    explicit Progress(std::size_t all) : all_(all) {}
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress() {
-        if (watched_) std::cerr << "\r\033[K" << std::flush;
-    }
-    void step() {
-        if (!watched_) return;
-#pragma omp critical(progress)
-        {
-            ++done_;
-            std::cerr << "\r" << done_ << " of " << all_ << std::flush;
-        }
-    }
-
-  private:
-    std::size_t all_, done_ = 0;
-    bool watched_ = isatty(STDERR_FILENO) != 0;
-};
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -143,7 +121,7 @@ void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<Cell>(const Case&)>& compute) {
     const std::vector<Case> all = cases(options);
     std::vector<std::vector<Cell>> numbers(all.size());
-    Progress progress(all.size());
+    Progress progress(all.size(), std::cerr, isatty(STDERR_FILENO) != 0);
     particles::for_each_index(static_cast<Eigen::Index>(all.size()), [&](Eigen::Index k) {
         const auto at = static_cast<std::size_t>(k);
         numbers[at] = compute(all[at]);

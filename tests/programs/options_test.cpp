@@ -133,13 +133,3 @@ TEST_CASE(
           }) == 0);
     CHECK(threads == 1);
 }
-
-TEST_CASE("options: progress does not spoil the error on a terminal") {
-    const auto shown =
-        run("script -qec 'derivative_test --kernel cubic_spline --formulation original,second_order_fpm "
-            "--particles 20,40' "
-            "/dev/null");
-    const std::size_t error = shown.output.find("derivative_test: second_order_fpm");
-    REQUIRE(error != std::string::npos);
-    CHECK(shown.output.substr(0, error).ends_with("\r\033[K"));
-}

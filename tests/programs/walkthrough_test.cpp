@@ -19,7 +19,9 @@ TEST_CASE("walkthrough: every equation is indexed, and pages are written for equ
         "true", "--pages pages && grep -c '^| .*anchor index_A' pages/equations.md && ls pages");
     CHECK(code == 0);
     CHECK(errors.empty());
-    CHECK(output == "52 equations indexed, 0 without code or test\n52\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
+    CHECK(
+        output ==
+        "52 equations indexed, 0 without code or test\n52\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
 }
 
 TEST_CASE("walkthrough: an equation without code, without test, or without a row is red") {
