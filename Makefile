@@ -116,6 +116,11 @@ $(BUILD)/bin/check: $(tests) $(common)
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 
+# OpenBLAS picks its kernels by the processor; data are computed with one set of them on all.
+ifeq ($(shell uname -m),x86_64)
+export OPENBLAS_CORETYPE := Nehalem
+endif
+
 # Data: one command for each table; verify runs the same commands once more.
 figure_1       = $(bin)/derivative_test --perturb 0,0.25 --seeds 51 --median
 figure_2_left  = $(bin)/static_test
@@ -161,6 +166,9 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figu
 	BUILD=$(BUILD) doxygen doc/Doxyfile
 	rm -f $(BUILD)/doc/html/*-members.html
 	sed -i -E 's| (Namespace\|Struct\|Class\|Struct Template\|Class Template) Reference</div>|</div>|; s@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
+	sed -n 's|.*relpath^\(namespace[^"]*\)">\(.*\)</a>.*|\1 \2|p' doc/header.html | while read -r page title; do
+	    sed -i "s|<div class=\"title\">.*</div></div>|<div class=\"title\">$$title</div></div>|" "$(BUILD)/doc/html/$$page"
+	done
 	if [[ -s $(BUILD)/doc/warnings.log ]]; then cat $(BUILD)/doc/warnings.log >&2; rm -rf $(BUILD)/doc/html; exit 1; fi
 	for part in MathJax.js extensions/tex2jax.js extensions/TeX extensions/MathEvents.js jax/element jax/input/TeX \
 	            jax/output/SVG/jax.js jax/output/SVG/config.js jax/output/SVG/autoload jax/output/SVG/fonts/TeX; do

@@ -33,11 +33,11 @@ set style line 1 linecolor rgb "#000000" dashtype 1       pointtype 4  pointsize
 set style line 2 linecolor rgb "#b35900" dashtype (8,3)   pointtype 8  pointsize 0.8 linewidth 1.3
 set style line 3 linecolor rgb "#c77cb0" dashtype (2,2)   pointtype 6  pointsize 0.7 linewidth 1.6
 set style line 4 linecolor rgb "#e0a000" dashtype (8,3,2,3) pointtype 10 pointsize 0.8 linewidth 1.6
-set style line 5 linecolor rgb "#999999" dashtype (1,2)   pointtype 1  pointsize 0.6 linewidth 1.3
+set style line 5 linecolor rgb "#7a6fb0" dashtype (3,2)   pointtype 1  pointsize 0.8 linewidth 1.3
 set style line 6 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize 0.9 linewidth 1.6
 set style line 7 linecolor rgb "#005a3c" dashtype 1       pointtype 7  pointsize 0.6 linewidth 2.0
-set style line 8 linecolor rgb "#777777" dashtype (4,2)   pointtype 2  pointsize 0.6 linewidth 1.0
-set style line 9 linecolor rgb "#aaaaaa" dashtype (1,2)   pointtype 3  pointsize 0.6 linewidth 1.0
+set style line 8 linecolor rgb "#555555" dashtype 1       pointtype 2  pointsize 0.7 linewidth 1.3
+set style line 9 linecolor rgb "#888888" dashtype (6,3)   pointtype 3  pointsize 0.7 linewidth 1.2
 
 # Rows of one formulation; others are passed over. Curves that overlap carry their symbols at different rows, so that each
 # shows: marked(name, row, every) picks them.

@@ -2,7 +2,7 @@
 # particles. Beyond the print: FPM applied twice (end of Section 3.4), and the small panel, in which the error over δ² shows
 # how far the random particles scatter: it is level where the order is two.
 load "figures/style.gp"
-table = "data/asprone2010/figure_1.csv"
+if (!exists("table")) table = "data/asprone2010/figure_1.csv"
 curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm second_order_fpm"
 uniform(name) = of(name) * (column("perturbation") == 0 ? 1 : NaN)
 moved(name) = of(name) * (column("perturbation") > 0 ? 1 : NaN)
@@ -24,7 +24,7 @@ eval(triangle(2, 400, 1.5e-6, 2.5, 2))
 plot for [name in curves] table using (uniform(name) * column("particles")):"error_second" \
          with linespoints linestyle style(name) pointinterval 4 title title(name), \
      table using (moved("second_order_fpm") * column("particles")):"error_second" every 2 \
-         with points linecolor rgb "#005a3c" pointtype 6 pointsize 1.1 title "second-order FPM, perturbed"
+         with points linecolor rgb "#005a3c" pointtype 6 pointsize 1.1 title "the same, perturbed (median)"
 
 unset object; unset label; unset logscale y; unset ylabel
 set title "second-order FPM, δ/4: error / δ²" font ",12"

@@ -2,8 +2,8 @@
 # (left) and perturbed (right) particles. The right panel shows the medians and quartiles over seeds.
 load "figures/style.gp"
 set terminal svg size 1120,540 font "Helvetica,14" background rgb "white" linewidth 1.2 dashlength 0.7
-left = "data/asprone2010/figure_2_left.csv"
-right = "data/asprone2010/figure_2_right.csv"
+if (!exists("left")) left = "data/asprone2010/figure_2_left.csv"
+if (!exists("right")) right = "data/asprone2010/figure_2_right.csv"
 set logscale xy
 set xrange [9:3000]
 set yrange [1e-8:1]
@@ -26,11 +26,11 @@ plot for [name in curves] left using (of(name) * column("particles")):"error_dis
 unset object; unset label; unset ylabel
 set lmargin at screen 0.47; set rmargin at screen 0.79
 set format y ""
-set title "perturbed by δ/4, 51 seeds"
+set title "second-order FPM, perturbed by δ/4"
 set key at screen 0.80,0.5 left center Left reverse samplen 3 spacing 1.35
 eval(triangle(2, 30, 5e-6, 2.5, 2))
 plot right using (of("second_order_fpm") * column("particles")):"error_displacement_lower":"error_displacement_upper" \
-         with filledcurves fillcolor rgb "#7fc8a9" fillstyle transparent solid 0.5 noborder title "quartiles", \
+         with filledcurves fillcolor rgb "#7fc8a9" fillstyle transparent solid 0.5 noborder title "quartiles, 51 seeds", \
      right using (of("second_order_fpm") * column("particles")):"error_displacement" \
          with linespoints linestyle style("second_order_fpm") pointinterval 4 notitle, \
      for [name in curves] keyentry with linespoints linestyle style(name) title title(name)

@@ -1,6 +1,7 @@
 #include "asprone2010/claims.hpp"
 
 #include <Eigen/SVD>
+#include <numeric>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
@@ -217,6 +218,13 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 Measure ratio_of_mode(std::string_view name, std::size_t n) {
     return [=](Volumes volumes) { return stated(ratios(name, volumes)[n - 1]); };
+}
+
+Measure mean_of_five_lowest(std::string_view name) {
+    return [=](Volumes volumes) {
+        const auto ratio = ratios(name, volumes);
+        return stated(std::accumulate(ratio.begin(), ratio.begin() + 5, 0.0) / 5);
+    };
 }
 
 std::map<std::string, Measure> all() {
@@ -448,9 +456,9 @@ std::map<std::string, Measure> all() {
             most = std::max(most, std::abs(vibration_test::mode(vibration_test::exact_frequency(n), 1)));
         return most;
     });
-    of["A22a"] = ratio_of_mode("original", 1);
-    of["A22b"] = ratio_of_mode("rkpm_first_order", 1);
-    of["A22c"] = ratio_of_mode("rkpm_second_order", 1);
+    of["A22a"] = mean_of_five_lowest("original");
+    of["A22b"] = mean_of_five_lowest("rkpm_first_order");
+    of["A22c"] = mean_of_five_lowest("rkpm_second_order");
     for (const auto& [id, name] :
          {std::pair{"A22d", "original"}, {"A22e", "rkpm_first_order"}, {"A22f", "rkpm_second_order"}})
         of[id] = [name = std::string(name)](Volumes volumes) {
@@ -467,7 +475,11 @@ std::map<std::string, Measure> all() {
     };
     of["A24b"] = ratio_of_mode("second_order_fpm", 10);
     of["A24c"] = [](Volumes volumes) {
-        return stated(largest_difference(ratios("second_order_fpm", volumes), finite_element_ratios()));
+        const auto ratio = ratios("second_order_fpm", volumes), reference = finite_element_ratios();
+        double most = 0;
+        for (std::size_t k = 0; k < ratio.size(); ++k)
+            most = std::max(most, std::abs(ratio[k] - reference[k]) / reference[k]);
+        return stated(most);
     };
 
     of["A25"] = either([] {

@@ -21,10 +21,19 @@ namespace asprone2010 {
 /// | \f$K_i,\ DK_i\f$ | `K`, `DK` | corrected kernel and its derivative |
 ///
 /// Departures from the print: \f$C_i\f$ is written in the scaled offset, which changes the coefficients and not \f$K_i\f$.
+/// The moments are imposed on the sums where sums are taken; the print imposes them on integrals here, and on sums in
+/// Section 4 only. For the second order this choice has a large effect, which \ref choices measures.
 ///
 /// Measured claims of this section: \claim{A07a}, \claim{A07b}, \claim{A07c}, \claim{A07d}, \claim{A08a},
 /// \claim{A08b}.
 namespace rkpm {
+
+/// The improved representation of a function. \defeq{A21}
+/// \f[ B(x_i) \cong \int_\Omega B(x)\,K_i(x)\,d\Omega \tag{21} \f]
+/// \return the value, with an error of O(h²) for the first order and O(h³) for the second
+inline double value(const Function& B, const CentredKernel& K_i) {
+    return classical_sph::value(B, K_i);
+}
 
 /// \f$s^n\f$ of a number or, entry by entry, of an array.
 template <int n, class T>
@@ -105,13 +114,6 @@ Neighbourhood<Scalar, Size> corrected(const Neighbourhood<Scalar, Size>& near) {
         correction_coefficients<Scalar, p...>([&](int k) { return moments[static_cast<std::size_t>(k)]; });
     const Column<Scalar, Size> C = correction<p...>(c, r);
     return {r, C * W, correction_derivative<p...>(c, r) * W + C * DW, V};
-}
-
-/// The improved representation of a function. \defeq{A21}
-/// \f[ B(x_i) \cong \int_\Omega B(x)\,K_i(x)\,d\Omega \tag{21} \f]
-/// \return the value, with an error of O(h²) for the first order and O(h³) for the second
-inline double value(const Function& B, const CentredKernel& K_i) {
-    return classical_sph::value(B, K_i);
 }
 
 /// Taylor's expansion against \f$K_i\f$, up to the second derivative: what \eq{A21} represents. \defeq{A24}

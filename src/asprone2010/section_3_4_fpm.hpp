@@ -13,7 +13,7 @@ namespace asprone2010 {
 /// | \f$A\f$ | `matrix` | moments of \f$W_i\f$ and \f$DW_i\f$ |
 /// | \f$e'_1, e'_2\f$ | `remainders` | what the truncated expansion leaves |
 ///
-/// Departures from the print: \eq{A27}, \eq{A28} and \eq{A30} add the remainders to the projections of B. With the remainders as what
+/// Departures from the print: \eq{A27}, \eq{A28}, \eq{A30} and \eq{A31} add the remainders to the projections of B. With the remainders as what
 /// the expansion leaves of B (as in \eq{A14}) they are subtracted; orders are not affected.
 /// \eq{A32} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
 ///

@@ -15,7 +15,7 @@ namespace asprone2010 {
 /// | infinity norm | `Errors` | largest error over the particles, all or interior |
 ///
 /// The particles hold the exact values; D and D² are applied to them and compared with the exact derivatives in the
-/// infinity norm, which is governed by the worst particle, and that lies on the boundary.
+/// infinity norm, which is governed by the worst particle, and that lies on the boundary or next to it.
 ///
 /// \image html figure_1.svg "Infinity norm of the error of the second derivative against the number of particles, and its spread on perturbed particles."
 ///

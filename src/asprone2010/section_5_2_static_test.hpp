@@ -14,7 +14,7 @@ namespace asprone2010 {
 /// | \f$u(0) = u'(1) = 0\f$ | first and last row of `system` | clamped and traction-free end |
 ///
 /// Equation \eq{A45} is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
-/// the formulation's own operators.
+/// the formulation's own operators; the print does not say how.
 ///
 /// \image html figure_2.svg "Infinity norm of the error of the displacement, on uniform and on perturbed particles."
 ///
@@ -76,7 +76,7 @@ inline double error(const Formulation<double>& formulation, const Formulation<do
     return numerical_tests::distance<double>(u, discrete.line.x().unaryExpr(exact.u));
 }
 
-/// The same with the formulation's own derivative at the last particle, as in the paper.
+/// The same with the formulation's own derivative at the last particle, as we chose.
 inline double error(const Formulation<double>& formulation,
                     const numerical_tests::Particles<double>& discrete, const Exact& exact) {
     return error(formulation, formulation, discrete, exact);

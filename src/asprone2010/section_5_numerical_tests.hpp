@@ -17,7 +17,7 @@ namespace asprone2010 {
 /// particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle, since both tests impose
 /// boundary conditions there; volumes follow a named
 /// convention: δ for every particle by default, although \eq{A3} fits cells that tile Ω, since the overlap of two spectra in
-/// Figure 3 and footnote 1 come out better so (\ref companion_asprone2010 has the numbers of both); h stays δ when particles are perturbed.
+/// Figure 3 and footnote 1 come out better so (claims \claim{A18a} and \claim{A23}); h stays δ when particles are perturbed.
 namespace numerical_tests {
 
 /// How a line of N particles is made and smoothed.
@@ -39,6 +39,10 @@ struct Particles {
 /// \throws particles::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
 template <class Scalar = double>
 Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long seed) {
+    if (!(std::isfinite(of.smoothing) && of.smoothing > 0))
+        throw particles::InvalidInput(
+            "the smoothing length over the spacing must be positive and finite, got " +
+            particles::shown(of.smoothing));
     const Column<Scalar> x = of.perturbation == 0
                                  ? particles::uniform_positions<Scalar>(N)
                                  : particles::perturbed_positions<Scalar>(N, of.perturbation, seed);

@@ -93,8 +93,8 @@ struct CubicSpline {
     }
 };
 
-/// Quintic B-spline \f$W(s) = \frac1{120}[(3-|s|)_+^5 - 6(2-|s|)_+^5 + 15(1-|s|)_+^5]\f$, four continuous derivatives,
-/// support 3h.
+/// Quintic B-spline, four continuous derivatives, support 3h.
+/// \f[ W(s) = \tfrac1{120}\big[(3-|s|)_+^5 - 6(2-|s|)_+^5 + 15(1-|s|)_+^5\big] \f]
 struct QuinticSpline {
     static constexpr std::string_view name = "quintic_spline";
 

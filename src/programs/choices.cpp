@@ -48,6 +48,42 @@ report::Quartiles spread(const Error& error) {
     return report::quartiles(sample);
 }
 
+/// The operators of RKPM with the moments imposed on integrals, as below (24), and sampled at the particles.
+template <int... p>
+particles::Operators<double> rkpm_by_integrals(const numerical_tests::Particles<double>& discrete) {
+    const auto& [line, smoothing] = discrete;
+    const Index N = line.size();
+    std::vector<Eigen::Triplet<double>> weights;
+    for (Index i = 0; i < N; ++i) {
+        const CentredKernel K_i =
+            rkpm::corrected<p...>(particles::centred(smoothing.kernel(), line.x()[i], smoothing.h(), {0, 1}));
+        const auto near = particles::within_reach(line, smoothing, i);
+        for (Index j = near.first; j < near.last; ++j)
+            weights.emplace_back(static_cast<int>(i), static_cast<int>(j),
+                                 -K_i.DW(line.x()[j]) * line.V()[j]);
+    }
+    Operator<double> D(N, N);
+    D.setFromTriplets(weights.begin(), weights.end());
+    particles::annihilate_constants(D);
+    return {D, rkpm::second_derivative(D)};
+}
+
+template <int... p>
+double derivative_error_by_integrals(Index N, Volumes volumes) {
+    const auto discrete = discretise<double>({volumes}, N, 1);
+    const Column<double> B = discrete.line.x().exp();
+    return numerical_tests::distance<double>(particles::apply(rkpm_by_integrals<p...>(discrete).D2, B), B);
+}
+
+template <int... p>
+double first_ratio_by_integrals(Volumes volumes) {
+    const auto discrete = discretise<double>({volumes}, 100, 1);
+    return vibration_test::frequencies(vibration_test::stiffness(rkpm_by_integrals<p...>(discrete).D2))
+               .front()
+               .real() /
+           vibration_test::exact_frequency(1);
+}
+
 report::Table measured() {
     report::Table table;
     table.comments = {
@@ -89,6 +125,23 @@ report::Table measured() {
         "error of D²B, 320 particles", second_order, derivative.lower, derivative.upper);
     add("draw of the perturbation", "lower quartile of 1000 seeds", "upper quartile",
         "error of u, 320 particles", second_order, displacement.lower, displacement.upper);
+    const auto& rkpm_1 = formulation_named<double>("rkpm_first_order");
+    const auto& rkpm_2 = formulation_named<double>("rkpm_second_order");
+    for (const Volumes volumes : {Volumes::equal, Volumes::partition}) {
+        const bool equal = volumes == Volumes::equal;
+        const char* error = equal ? "error of D²B, 640 particles, volumes equal"
+                                  : "error of D²B, 640 particles, volumes partition";
+        const char* ratio = equal ? "first frequency over exact, volumes equal"
+                                  : "first frequency over exact, volumes partition";
+        add("moments of RKPM", "imposed on sums", "imposed on integrals", error, rkpm_1,
+            derivative_error(rkpm_1, 640, {volumes}), derivative_error_by_integrals<0, 1>(640, volumes));
+        add("moments of RKPM", "imposed on sums", "imposed on integrals", error, rkpm_2,
+            derivative_error(rkpm_2, 640, {volumes}), derivative_error_by_integrals<0, 1, 2>(640, volumes));
+        add("moments of RKPM", "imposed on sums", "imposed on integrals", ratio, rkpm_1,
+            first_ratio(rkpm_1, volumes), first_ratio_by_integrals<0, 1>(volumes));
+        add("moments of RKPM", "imposed on sums", "imposed on integrals", ratio, rkpm_2,
+            first_ratio(rkpm_2, volumes), first_ratio_by_integrals<0, 1, 2>(volumes));
+    }
     for (const auto& of : formulations<double>())
         add("derivative at x = 1", "the formulation's own", "second-order FPM's", "error of u, 640 particles",
             of, static_error(of, 640, {}),

@@ -25,8 +25,7 @@ int main(int argc, char** argv) {
         const auto found = report::differences(expected, report::parsed(report::read_whole(regenerated)));
         for (const std::string& difference : found) std::cout << committed << ": " << difference << "\n";
         std::cout << committed << ": " << expected.rows.size() << " rows, "
-                  << (found.empty() ? "all within tolerance"
-                                    : std::to_string(found.size()) + " numbers differ")
+                  << (found.empty() ? "all within tolerance" : std::to_string(found.size()) + " differences")
                   << "\n";
         return found.empty() ? 0 : 1;
     } catch (const std::exception& error) {

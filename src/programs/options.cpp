@@ -97,6 +97,9 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
             throw InvalidInput("there is no formulation '" + name + "'; choose all or some of " +
                                joined(known));
 
+    const auto moved = [](double a) { return a != 0; };
+    if (options.seeds > 1 && std::none_of(options.perturbations.begin(), options.perturbations.end(), moved))
+        throw InvalidInput("--seeds changes nothing without a perturbation; add --perturb 0.25, say");
     if (options.seeds - 1 > largest_seed - options.seed)
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
@@ -167,16 +170,24 @@ void tabulate(report::Table& table, const Options& options,
 
 std::vector<std::string> described(const Options& options) {
     std::string equations;
-    for (const auto& formulation : asprone2010::formulations<double>())
+    const auto& wanted = options.formulations;
+    for (const auto& formulation : asprone2010::formulations<double>()) {
+        const std::string name(formulation.name);
+        if (wanted != std::vector<std::string>{"all"} &&
+            std::find(wanted.begin(), wanted.end(), name) == wanted.end())
+            continue;
         equations += (equations.empty() ? "equations: " : ", ") + std::string(formulation.name) + " " +
                      std::string(formulation.equations);
+    }
     std::string parameters = "kernel " + options.kernel + ", h/delta " + particles::shown(options.smoothing) +
                              ", volumes " + options.volumes;
     if (std::any_of(options.perturbations.begin(), options.perturbations.end(),
                     [](double a) { return a != 0; }))
         parameters += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
                       std::to_string(options.seed + options.seeds - 1);
-    return {equations, parameters};
+    std::vector<std::string> comments{parameters};
+    if (!equations.empty()) comments.insert(comments.begin(), equations);
+    return comments;
 }
 
 int run(CLI::App& app, int argc, char** argv, const Options& options,

@@ -127,27 +127,65 @@ std::string equation_page(const Table& equations, const Table& claims) {
     return page;
 }
 
-/// The ledger: every claim with what was measured.
+/// How many claims of a section have which verdict: "5 of 7 reproduced, 1 conditional, 1 differs".
+std::string tally(const Table& verdicts, const std::string& section) {
+    int all = 0, reproduced = 0, differ = 0, undecided = 0;
+    for (std::size_t row = 0; row < verdicts.rows.size(); ++row) {
+        if (verdicts.word(row, "section") != section) continue;
+        const std::string verdict = verdicts.word(row, "verdict");
+        ++all;
+        reproduced += verdict == "reproduced";
+        differ += verdict == "differs";
+        undecided += verdict == "cannot tell";
+    }
+    const int conditional = all - reproduced - differ - undecided;
+    if (all == 0) return "";
+    std::string text = std::to_string(reproduced) + " of " + std::to_string(all) + " reproduced";
+    if (conditional > 0) text += ", " + std::to_string(conditional) + " under a condition";
+    if (differ > 0) text += ", " + std::to_string(differ) + (differ == 1 ? " differs" : " differ");
+    if (undecided > 0) text += ", " + std::to_string(undecided) + " undecided";
+    return text;
+}
+
+/// A claim in words, with links to the equations that it names and, behind it, to those it is about without naming them.
+std::string claim_of(const Table& claims, std::size_t row) {
+    std::string text = linked(claims.word(row, "claim"));
+    std::istringstream numbers(claims.word(row, "equations"));
+    for (std::string each; numbers >> each;)
+        if (const std::string link = "\\eq{A" + each + "}"; text.find(link) == std::string::npos)
+            text += " " + link;
+    return text;
+}
+
+/// The ledger, section by section: every claim with what was measured; what is not reproduced stands out.
 std::string claims_page(const Table& claims, const Table& verdicts) {
     std::string page =
         "Claims {#claims}\n======\n\nEvery statement of the paper that a measurement can confirm or refute, "
-        "in our words. Each verdict is "
-        "computed: the statement is compared with what was measured under both conventions of the particle "
-        "volumes, which the print "
-        "leaves open.\n\n| claim | says | verdict | quantity | stated | equal | partition |\n| --- | --- | "
-        "--- | --- | --- | --- | --- |\n";
+        "in our words. Each "
+        "verdict is computed: the statement is compared with what was measured under both conventions of the "
+        "particle volumes, "
+        "which the print leaves open. The name of a claim leads to the tests of its subject.\n\n";
+    std::map<std::string, std::string> sections;
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {
         const std::string id = claims.word(row, "id");
         if (row >= verdicts.rows.size() || verdicts.word(row, "id") != id)
             throw FailedComputation("claim " + id + " has no verdict yet; run make claims");
-        const std::string conditional = verdicts.word(row, "conditional");
-        page += "| \\anchor claim_" + id + " \\ref " + anchor(claims.word(row, "test")) + " \"" + id +
-                "\" | " + linked(claims.word(row, "claim")) + " | " + cell(verdicts.word(row, "verdict")) +
-                (conditional.empty() ? "" : " (then " + conditional + ")") + " | " +
-                linked(claims.word(row, "quantity")) + " | " + cell(verdicts.word(row, "statement")) + " | " +
-                verdicts.word(row, "measured_equal") + " | " + verdicts.word(row, "measured_partition") +
-                " |\n";
+        const std::string conditional = verdicts.word(row, "conditional"),
+                          verdict = verdicts.word(row, "verdict");
+        const std::string shown = verdict == "reproduced" ? verdict : "**" + cell(verdict) + "**";
+        sections[claims.word(row, "section")] +=
+            "| \\anchor claim_" + id + " \\ref " + anchor(claims.word(row, "test")) + " \"" + id + "\" | " +
+            claim_of(claims, row) + " | " + shown +
+            (conditional.empty() ? "" : " (then " + conditional + ")") + " | " +
+            linked(claims.word(row, "quantity")) + ": " + cell(verdicts.word(row, "statement")) + " (" +
+            cell(claims.word(row, "reason")) + ") | " + verdicts.word(row, "measured_equal") + " | " +
+            verdicts.word(row, "measured_partition") + " |\n";
     }
+    for (const auto& [section, rows] : sections)
+        page += "## Section " + section + ": " + tally(verdicts, section) +
+                "\n\n| claim | says | verdict | stated of (why so closely) | equal | partition |\n| --- | "
+                "--- | --- | --- | --- | --- |\n" +
+                rows + "\n";
     return page;
 }
 
@@ -184,26 +222,6 @@ std::string tests_page(const std::vector<std::string>& files) {
         page += "\n";
     }
     return page;
-}
-
-/// How many claims of a section have which verdict: "5 of 7 reproduced, 1 conditional, 1 differs".
-std::string tally(const Table& verdicts, const std::string& section) {
-    int all = 0, reproduced = 0, differ = 0, undecided = 0;
-    for (std::size_t row = 0; row < verdicts.rows.size(); ++row) {
-        if (verdicts.word(row, "section") != section) continue;
-        const std::string verdict = verdicts.word(row, "verdict");
-        ++all;
-        reproduced += verdict == "reproduced";
-        differ += verdict == "differs";
-        undecided += verdict == "cannot tell";
-    }
-    const int conditional = all - reproduced - differ - undecided;
-    if (all == 0) return "";
-    std::string text = std::to_string(reproduced) + " of " + std::to_string(all) + " reproduced";
-    if (conditional > 0) text += ", " + std::to_string(conditional) + " under a condition";
-    if (differ > 0) text += ", " + std::to_string(differ) + (differ == 1 ? " differs" : " differ");
-    if (undecided > 0) text += ", " + std::to_string(undecided) + " undecided";
-    return text;
 }
 
 /// The README's table: paper item, command, output, source, verdict.
