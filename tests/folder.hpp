@@ -8,7 +8,8 @@ namespace support {
 
 /// A new empty folder for what a test writes, removed at the end.
 struct Folder {
-    std::string path = (std::filesystem::temp_directory_path() / "particles_test_XXXXXX").string();
+    std::string path =
+        (std::filesystem::temp_directory_path() / ("particles_test_" + std::string(6, 'X'))).string();
     Folder() { mkdtemp(path.data()); }
     ~Folder() { std::filesystem::remove_all(path); }
     Folder(const Folder&) = delete;

@@ -65,7 +65,10 @@ particles::Operators<double> rkpm_by_integrals(const numerical_tests::Particles<
     Operator<double> D(N, N);
     D.setFromTriplets(weights.begin(), weights.end());
     particles::annihilate_constants(D);
-    return {D, rkpm::second_derivative(D)};
+    particles::Operators<double> of;
+    of.D2 = rkpm::second_derivative(D);
+    of.D = std::move(D);
+    return of;
 }
 
 template <int... p>

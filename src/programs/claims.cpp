@@ -1,15 +1,14 @@
 #include "asprone2010/claims.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "programs/options.hpp"
 #include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
-#include "solvers/blas_threads.hpp"
 
 namespace {
 
@@ -94,26 +93,13 @@ int main(int argc, char** argv) {
     app.add_option("--count", decided,
                    "CSV file of verdicts: say how many there are of each kind, and compute nothing")
         ->type_name("FILE");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        return app.exit(asked);
-    } catch (const CLI::ParseError& error) {
-        std::cerr << "claims: " << error.what() << "; see claims --help\n";
-        return 2;
-    }
-    try {
+    return programs::run(app, argc, argv, [&] {
         if (!decided.empty()) {
             std::cout << summary(report::parsed(report::read_whole(decided))) << "\n";
             return 0;
         }
-        gsl_set_error_handler_off();
-        solvers::use_one_blas_thread();
         const report::Table table = judged(report::parsed(report::read_whole(ledger)));
         report::write_whole(output, report::csv(table));
         return 0;
-    } catch (const std::exception& error) {
-        std::cerr << "claims: " << error.what() << "\n";
-        return 1;
-    }
+    });
 }

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "programs/options.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 
@@ -12,15 +13,7 @@ int main(int argc, char** argv) {
     std::string committed, regenerated;
     app.add_option("committed", committed, "CSV file that states its tolerances")->required();
     app.add_option("regenerated", regenerated, "CSV file to compare")->required();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        return app.exit(asked);
-    } catch (const CLI::ParseError& error) {
-        std::cerr << "compare_tables: " << error.what() << "; see compare_tables --help\n";
-        return 2;
-    }
-    try {
+    return programs::run(app, argc, argv, [&] {
         const auto expected = report::parsed(report::read_whole(committed));
         const auto found = report::differences(expected, report::parsed(report::read_whole(regenerated)));
         for (const std::string& difference : found) std::cout << committed << ": " << difference << "\n";
@@ -28,8 +21,5 @@ int main(int argc, char** argv) {
                   << (found.empty() ? "all within tolerance" : std::to_string(found.size()) + " differences")
                   << "\n";
         return found.empty() ? 0 : 1;
-    } catch (const std::exception& error) {
-        std::cerr << "compare_tables: " << error.what() << "\n";
-        return 1;
-    }
+    });
 }

@@ -190,8 +190,7 @@ std::vector<std::string> described(const Options& options) {
     return comments;
 }
 
-int run(CLI::App& app, int argc, char** argv, const Options& options,
-        const std::function<report::Table()>& compute) {
+int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
     const std::string program = app.get_name();
     try {
         app.parse(argc, argv);
@@ -204,9 +203,7 @@ int run(CLI::App& app, int argc, char** argv, const Options& options,
     try {
         gsl_set_error_handler_off();
         solvers::use_one_blas_thread();
-        if (options.threads > 0) omp_set_num_threads(options.threads);
-        report::write_whole(options.output, report::csv(compute()));
-        return 0;
+        return body();
     } catch (const InvalidInput& error) {
         std::cerr << program << ": " << error.what() << "\n";
         return 2;
@@ -214,6 +211,15 @@ int run(CLI::App& app, int argc, char** argv, const Options& options,
         std::cerr << program << ": " << error.what() << "\n";
         return 1;
     }
+}
+
+int run(CLI::App& app, int argc, char** argv, const Options& options,
+        const std::function<report::Table()>& compute) {
+    return run(app, argc, argv, [&] {
+        if (options.threads > 0) omp_set_num_threads(options.threads);
+        report::write_whole(options.output, report::csv(compute()));
+        return 0;
+    });
 }
 
 }  // namespace programs

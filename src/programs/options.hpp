@@ -58,7 +58,11 @@ void tabulate(report::Table& table, const Options& options,
 /// Comments of the table: the equations of the formulations, and of the options what is the same in all rows.
 std::vector<std::string> described(const Options& options);
 
-/// The body of main: options are read, the table is computed and written.
+/// The body of any main: options are read, then the work is done.
+/// \return what the work returns; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
+int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
+
+/// The body of main for a table: options are read, the table is computed and written.
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
 int run(CLI::App& app, int argc, char** argv, const Options& options,
         const std::function<report::Table()>& compute);

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "particles/errors.hpp"
+#include "programs/options.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 
@@ -33,7 +34,7 @@ std::string cell(std::string text) {
 
 /// The same with the equations that the text names, "(16)", as links.
 std::string linked(const std::string& text) {
-    static const std::regex name("\\(([0-9]{1,2})\\)");
+    static const std::regex name(R"re(\(([0-9]{1,2})\))re");
     return std::regex_replace(cell(text), name, "\\eq{A$1}");
 }
 
@@ -49,7 +50,7 @@ std::string anchor(const std::string& test) {
 
 /// A section's namespace page by the file that holds it: asprone2010/section_3_1_original.hpp -> asprone2010::original.
 std::string section_page(const std::string& code) {
-    static const std::regex shape("(\\w+)/section_[0-9_]+(\\w+)\\.hpp");
+    static const std::regex shape(R"re((\w+)/section_[0-9_]+(\w+)\.hpp)re");
     std::smatch found;
     if (!std::regex_match(code, found, shape)) throw FailedComputation(code + " is no section's file");
     return found[1].str() + "::" + found[2].str();
@@ -57,8 +58,8 @@ std::string section_page(const std::string& code) {
 
 /// The names of the test cases in a test file.
 std::vector<std::string> test_cases(const std::string& path) {
-    static const std::regex shape("TEST_CASE\\(((?:\\s*\"(?:[^\"\\\\]|\\\\.)*\")+)\\s*\\)");
-    static const std::regex part("\"((?:[^\"\\\\]|\\\\.)*)\"");
+    static const std::regex shape(R"re(TEST_CASE\(((?:\s*"(?:[^"\\]|\\.)*")+)\s*\))re");
+    static const std::regex part(R"re("((?:[^"\\]|\\.)*)")re");
     const std::string source = read_whole(path);
     std::vector<std::string> names;
     for (std::sregex_iterator test(source.begin(), source.end(), shape), end; test != end; ++test) {
@@ -73,7 +74,7 @@ std::vector<std::string> test_cases(const std::string& path) {
 
 /// The equations that stand above code, each with the file that holds it.
 std::map<std::string, std::vector<std::string>> defined_equations(const std::string& source) {
-    static const std::regex tag("\\\\defeq\\{(\\w[\\w.]*)\\}");
+    static const std::regex tag(R"re(\\defeq\{(\w[\w.]*)\})re");
     std::map<std::string, std::vector<std::string>> found;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(source)) {
         if (entry.path().extension() != ".hpp") continue;
@@ -134,9 +135,9 @@ std::string tally(const Table& verdicts, const std::string& section) {
         if (verdicts.word(row, "section") != section) continue;
         const std::string verdict = verdicts.word(row, "verdict");
         ++all;
-        reproduced += verdict == "reproduced";
-        differ += verdict == "differs";
-        undecided += verdict == "cannot tell";
+        if (verdict == "reproduced") ++reproduced;
+        if (verdict == "differs") ++differ;
+        if (verdict == "cannot tell") ++undecided;
     }
     const int conditional = all - reproduced - differ - undecided;
     if (all == 0) return "";
@@ -267,15 +268,7 @@ int main(int argc, char** argv) {
         ->type_name("FILE");
     app.add_flag("--write-readme", write_readme, "write the table of README.md anew");
     app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        return app.exit(asked);
-    } catch (const CLI::ParseError& error) {
-        std::cerr << "walkthrough: " << error.what() << "; see walkthrough --help\n";
-        return 2;
-    }
-    try {
+    return programs::run(app, argc, argv, [&] {
         const Table equations = table_of("paper/equations.csv"), claims = table_of("paper/claims.csv");
         const Table verdicts = table_of("data/asprone2010/claims.csv");
         check_equations(equations);
@@ -299,8 +292,5 @@ int main(int argc, char** argv) {
         if (check_readme && fresh != readme)
             throw FailedComputation("the table of README.md is stale; run make claims");
         return 0;
-    } catch (const std::exception& error) {
-        std::cerr << "walkthrough: " << error.what() << "\n";
-        return 1;
-    }
+    });
 }

@@ -43,8 +43,8 @@ inline double observed_order(const std::vector<double>& spacing, const std::vect
     }
     double intercept = 0, slope = 0;
     std::array<double, 4> unused{};
-    gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &unused[0], &unused[1], &unused[2],
-                   &unused[3]);
+    gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, unused.data(), &unused[1],
+                   &unused[2], &unused[3]);
     if (!std::isfinite(slope))
         throw particles::InvalidInput("errors that are zero or negative have no order");
     return slope;
