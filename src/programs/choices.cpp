@@ -67,7 +67,7 @@ particles::Operators<double> rkpm_by_integrals(const numerical_tests::Particles<
     particles::annihilate_constants(D);
     particles::Operators<double> of;
     of.D2 = rkpm::second_derivative(D);
-    of.D = std::move(D);
+    of.D = D;
     return of;
 }
 
