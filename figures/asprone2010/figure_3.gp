@@ -3,8 +3,8 @@
 load "figures/style.gp"
 if (!exists("table")) table = "data/asprone2010/figure_3.csv"
 set title "Vibration test: normalised spectrum, 100 particles"
-set label "original, RKPM of first order and FPM overlap" at 0.32,0.30 textcolor rgb "#444444" font ",11"
-set label "Chen–Beraun, modified and second-order FPM overlap" at 0.06,0.85 textcolor rgb "#444444" font ",11"
+set label "original, RKPM of first order and FPM overlap" at 0.10,0.30 textcolor rgb "#444444" font ",11"
+set label "Chen–Beraun, modified and second-order FPM overlap" at 0.06,0.72 textcolor rgb "#444444" font ",11"
 set xrange [0:1]
 set yrange [0:1.3]
 set xlabel "mode n / number of particles N"
