@@ -28,9 +28,20 @@ bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp)
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
-data := $(addprefix data/asprone2010/,figure_1.csv figure_2_left.csv figure_2_right.csv figure_3.csv)
-ledger := $(addprefix data/asprone2010/,claims.csv choices.csv)
-tables := $(data) $(ledger)
+papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
+
+# One command for each table, data/paper/name.csv, under the table's name; verify runs the same commands once more.
+asprone2010/figure_1       = $(bin)/derivative_test --perturb 0,0.25 --seeds 51 --median
+asprone2010/figure_2_left  = $(bin)/static_test
+asprone2010/figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
+asprone2010/figure_3       = $(bin)/vibration_test
+asprone2010/claims         = $(bin)/claims --paper asprone2010
+asprone2010/choices        = $(bin)/choices
+
+# The names of the variables above are the list of tables.
+tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
+ledger := $(filter %/claims.csv %/choices.csv,$(tables))
+data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
 .PHONY: help setup build data figures check claims doc check-doc verify clean
@@ -62,9 +73,9 @@ figures: $(figures) ## draw the figures of the paper into figures/
 check: $(BUILD)/bin/check build ## run the tests
 	@$(BUILD)/bin/check
 
-claims: $(ledger) $(bin)/walkthrough ## decide every claim of the paper, measure the choices, write the README's table
+claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write the README's table
 	@$(bin)/walkthrough --write-readme
-	$(bin)/claims --count data/asprone2010/claims.csv
+	$(bin)/claims --count $(filter %/claims.csv,$(ledger))
 
 doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
 
@@ -108,7 +119,7 @@ $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
 
-$(bin)/claims $(bin)/check: $(BUILD)/src/asprone2010/claims.o
+$(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=src/%/*.cpp)))
 $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
@@ -121,22 +132,17 @@ ifeq ($(shell uname -m),x86_64)
 export OPENBLAS_CORETYPE := Nehalem
 endif
 
-# Data: one command for each table; verify runs the same commands once more.
-figure_1       = $(bin)/derivative_test --perturb 0,0.25 --seeds 51 --median
-figure_2_left  = $(bin)/static_test
-figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
-figure_3       = $(bin)/vibration_test
-claims         = $(bin)/claims
-choices        = $(bin)/choices
-data/asprone2010/claims.csv $(BUILD)/verify/asprone2010/claims.csv: paper/claims.csv
-$(tables): data/asprone2010/%.csv: | data/BUILD-INFO.txt
-	$($*) --output $@
-$(tables:data/%=$(BUILD)/verify/%): $(BUILD)/verify/asprone2010/%.csv: FORCE
+# Data. Each table hangs on the program that its command names, and a ledger on its claims.
+program_of = $(firstword $($(1:data/%.csv=%)))
+$(foreach table,$(tables),$(eval $(table) $(table:data/%=$(BUILD)/verify/%): $(call program_of,$(table))))
+$(filter %/claims.csv,$(tables) $(tables:data/%=$(BUILD)/verify/%)): paper/claims.csv paper/papers.csv
+$(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	$($*) --output $@
-# Each table hangs on the program that its command names.
-$(foreach table,$(tables),$(eval $(table) $(table:data/%=$(BUILD)/verify/%): $(firstword $($(basename $(notdir $(table)))))))
-data/BUILD-INFO.txt: $(addprefix $(bin)/,derivative_test static_test vibration_test)
+$(tables:data/%=$(BUILD)/verify/%): $(BUILD)/verify/%.csv: FORCE
+	@mkdir -p $(@D)
+	$($*) --output $@
+data/BUILD-INFO.txt: $(sort $(foreach table,$(data),$(call program_of,$(table))))
 	@{
 	    echo "commit:   $$(git describe --always --dirty 2>/dev/null || echo unknown)"
 	    echo "compiler: $$($(CXX) --version | head -n 1)"
@@ -146,9 +152,10 @@ data/BUILD-INFO.txt: $(addprefix $(bin)/,derivative_test static_test vibration_t
 	} > $@
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
-figures/%.svg: figures/%.gp figures/style.gp $(data)
-	@mkdir -p $(BUILD)/log
-	log=$(BUILD)/log/$(notdir $*).gnuplot
+$(foreach paper,$(papers),$(eval $(filter figures/$(paper)/%,$(figures)): $(filter data/$(paper)/%,$(data))))
+figures/%.svg: figures/%.gp figures/style.gp
+	@log=$(BUILD)/log/$*.gnuplot
+	mkdir -p $$(dirname $$log)
 	if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $$log || [[ -s $$log ]]; then
 	    cat $$log >&2
 	    rm -f $@.tmp.svg
@@ -163,6 +170,8 @@ walkthrough := $(wildcard doc/* paper/* src/*/*.hpp) $(shell find tests -name '*
 $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
+	mkdir $(BUILD)/doc/figures
+	for figure in $(figures:figures/%=%); do cp "figures/$$figure" "$(BUILD)/doc/figures/$${figure/\//_}"; done
 	BUILD=$(BUILD) doxygen doc/Doxyfile
 	rm -f $(BUILD)/doc/html/*-members.html
 	sed -i -E 's| (Namespace\|Struct\|Class\|Struct Template\|Class Template) Reference</div>|</div>|; s@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html

@@ -1,6 +1,7 @@
 #include "asprone2010/claims.hpp"
 
 #include <Eigen/SVD>
+#include <array>
 #include <numeric>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
@@ -17,6 +18,9 @@ using numerical_tests::discretise;
 using particles::Gaussian;
 using particles::Volumes;
 using report::Measurement;
+
+/// What a claim's quantity measures under a convention of the volumes.
+using Measure = std::function<std::vector<Measurement>(Volumes)>;
 
 using Numbers = std::vector<Index>;
 const Numbers fine{320, 640, 1280};
@@ -529,8 +533,12 @@ std::map<std::string, Measure> all() {
 
 }  // namespace
 
-const std::map<std::string, Measure>& computations() {
-    static const std::map<std::string, Measure> of = all();
+report::Ledger ledger() {
+    report::Ledger of{"asprone2010", {}};
+    for (const auto& [id, measure] : all())
+        of.computations[id] = [measure = measure](std::size_t convention) {
+            return measure(std::array{Volumes::equal, Volumes::partition}.at(convention));
+        };
     return of;
 }
 

@@ -17,7 +17,7 @@ namespace asprone2010 {
 /// The particles hold the exact values; D and D² are applied to them and compared with the exact derivatives in the
 /// infinity norm, which is governed by the worst particle, and that lies on the boundary or next to it.
 ///
-/// \image html figure_1.svg "Infinity norm of the error of the second derivative against the number of particles, and its spread on perturbed particles."
+/// \image html asprone2010_figure_1.svg "Infinity norm of the error of the second derivative against the number of particles, and its spread on perturbed particles."
 ///
 /// Measured claims of this section: \claim{A15a}, \claim{A15b}, \claim{A15c}, \claim{A15d}, \claim{A15e},
 /// \claim{A15f}, \claim{A15g}, \claim{A16}.

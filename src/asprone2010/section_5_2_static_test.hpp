@@ -16,7 +16,7 @@ namespace asprone2010 {
 /// Equation \eq{A45} is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
 /// the formulation's own operators; the print does not say how.
 ///
-/// \image html figure_2.svg "Infinity norm of the error of the displacement, on uniform and on perturbed particles."
+/// \image html asprone2010_figure_2.svg "Infinity norm of the error of the displacement, on uniform and on perturbed particles."
 ///
 /// Measured claims of this section: \claim{A17a}, \claim{A17b}, \claim{A17c}, \claim{A17d}, \claim{A17e},
 /// \claim{A17f}, \claim{A18a}, \claim{A18b}, \claim{A19}, \claim{A20}.

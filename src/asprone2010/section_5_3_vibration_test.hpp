@@ -19,7 +19,7 @@ namespace asprone2010 {
 /// printed, \eq{A47} with \f$x = \sin(\omega X)e^{i\omega t}\f$ leaves \f$-2\omega^2 x\f$. And the eigenvalues of K in \eq{A52}
 /// approximate \f$-\omega_n^2\f$. N particles have N − 2 modes, since two are fixed.
 ///
-/// \image html figure_3.svg "Frequencies over exact frequencies, 100 particles."
+/// \image html asprone2010_figure_3.svg "Frequencies over exact frequencies, 100 particles."
 ///
 /// Measured claims of this section: \claim{A21}, \claim{A22a}, \claim{A22b}, \claim{A22c}, \claim{A22d},
 /// \claim{A22e}, \claim{A22f}, \claim{A23}, \claim{A24a}, \claim{A24b}, \claim{A24c}, \claim{A27a},

@@ -3,64 +3,82 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "programs/options.hpp"
 #include "programs/progress.hpp"
 #include "report/file.hpp"
+#include "report/papers.hpp"
 #include "report/table.hpp"
 
 namespace {
 
-/// The ledger with its verdicts. \throws FailedComputation for a claim without a computation, or the reverse
-report::Table judged(const report::Table& ledger) {
-    using particles::FailedComputation;
-    const auto& computations = asprone2010::claims::computations();
+using particles::FailedComputation;
+using report::Ledger;
+using report::Paper;
+
+/// The ledgers of all papers, a line each.
+std::vector<Ledger> ledgers() {
+    return {
+        asprone2010::claims::ledger(),
+    };
+}
+
+/// A paper's ledger. \throws FailedComputation where there is none
+Ledger ledger_of(const Paper& paper) {
+    for (const Ledger& ledger : ledgers())
+        if (ledger.paper == paper.folder) return ledger;
+    throw FailedComputation(paper.folder + " has no computations that decide claims");
+}
+
+/// A paper's claims with their verdicts. \throws FailedComputation for a claim without a computation, or the reverse
+report::Table judged(const report::Table& claims, const Paper& paper) {
+    const auto computations = ledger_of(paper).computations;
+    const auto& [about, one, other] = paper.conventions;
     report::Table table;
-    table.comments = {
-        "Asprone et al. (2010): every testable statement, what was measured under both conventions of the "
-        "volumes, and "
-        "the verdict that follows",
-        "conditional: what a reading that adds a condition gives, volumes equal, where the claim as it "
-        "stands fails"};
+    table.comments = {paper.citation +
+                          ": every testable statement, what was measured under both conventions of the " +
+                          about + ", and the verdict that follows",
+                      "conditional: what a reading that adds a condition gives, " + about + " " + one.name +
+                          ", where the claim as it stands fails"};
     table.columns = {{"id"},
                      {"section"},
                      {"claim"},
                      {"quantity"},
                      {"statement"},
-                     {"measured_equal", {1e-3, 1e-9}},
-                     {"measured_partition", {1e-3, 1e-9}},
+                     {"measured_" + one.name, {1e-3, 1e-9}},
+                     {"measured_" + other.name, {1e-3, 1e-9}},
                      {"conditional", {1e-3, 1e-9}},
                      {"verdict"}};
-    programs::Progress progress(ledger.rows.size(), std::cerr, isatty(STDERR_FILENO) != 0);
-    for (std::size_t row = 0; row < ledger.rows.size(); ++row) {
-        const std::string id = ledger.word(row, "id");
+    programs::Progress progress(claims.rows.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+    for (std::size_t row = 0; row < claims.rows.size(); ++row) {
+        const std::string id = claims.word(row, "id");
         const auto computation = computations.find(id);
         if (computation == computations.end())
             throw FailedComputation("claim " + id + " has no computation that decides it");
         const auto number = [&](const char* name) {
-            return std::get<double>(ledger.rows[row][ledger.column(name)]);
+            return std::get<double>(claims.rows[row][claims.column(name)]);
         };
-        const report::Statement statement{ledger.word(row, "relation"), number("expected"),
+        const report::Statement statement{claims.word(row, "relation"), number("expected"),
                                           number("tolerance")};
-        const auto equal = computation->second(particles::Volumes::equal);
-        const auto partition = computation->second(particles::Volumes::partition);
-        const std::string verdict = report::verdict(statement, equal, partition);
+        const auto with_one = computation->second(0), with_other = computation->second(1);
+        const std::string verdict = report::verdict(statement, paper.conventions, with_one, with_other);
         const auto cell = [](const std::vector<report::Measurement>& measured, std::size_t k) {
             return k < measured.size() && std::isfinite(measured[k].value) ? report::Cell(measured[k].value)
                                                                            : report::Cell();
         };
         const std::string tolerance =
             statement.tolerance > 0 ? " ± " + particles::shown(statement.tolerance) : std::string();
-        table.rows.push_back({id, ledger.word(row, "section"), ledger.word(row, "claim"),
-                              ledger.word(row, "quantity"),
+        table.rows.push_back({id, claims.word(row, "section"), claims.word(row, "claim"),
+                              claims.word(row, "quantity"),
                               statement.relation + " " + particles::shown(statement.expected) + tolerance,
-                              cell(equal, 0), cell(partition, 0), cell(equal, 1), verdict});
+                              cell(with_one, 0), cell(with_other, 0), cell(with_one, 1), verdict});
         progress.step();
     }
-    if (computations.size() != ledger.rows.size())
+    if (computations.size() != claims.rows.size())
         throw FailedComputation(std::to_string(computations.size()) + " computations decide " +
-                                std::to_string(ledger.rows.size()) +
+                                std::to_string(claims.rows.size()) +
                                 " claims; every computation needs its row");
     return table;
 }
@@ -83,23 +101,32 @@ std::string summary(const report::Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Decides every claim of a ledger by its computation, under both conventions of the volumes.",
-                 "claims");
-    app.footer("Example: claims --ledger paper/claims.csv --output /tmp/claims.csv");
-    std::string ledger = "paper/claims.csv", output, decided;
+    CLI::App app(
+        "Decides every claim of a paper by its computation, under both conventions that the print leaves "
+        "open. It runs in the top folder.",
+        "claims");
+    app.footer("Example: claims --paper asprone2010 --output /tmp/claims.csv");
+    std::string folder = "asprone2010", ledger = "paper/claims.csv", output;
+    std::vector<std::string> decided;
+    app.add_option("--paper", folder, "whose claims (default asprone2010)")->type_name("PAPER");
     app.add_option("--ledger", ledger, "CSV file with a row for each claim (default paper/claims.csv)")
         ->type_name("FILE");
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
     app.add_option("--count", decided,
-                   "CSV file of verdicts: say how many there are of each kind, and compute nothing")
+                   "CSV files of verdicts, data/PAPER/claims.csv: say how many there are of each kind, and "
+                   "compute nothing")
         ->type_name("FILE");
     return programs::run(app, argc, argv, [&] {
-        if (!decided.empty()) {
-            std::cout << summary(report::parsed(report::read_whole(decided))) << "\n";
-            return 0;
+        for (const std::string& file : decided) {
+            const std::string paper = std::filesystem::absolute(file).parent_path().filename().string();
+            std::cout << (decided.size() > 1 ? paper + ": " : "")
+                      << summary(report::parsed(report::read_whole(file))) << "\n";
         }
-        const report::Table table = judged(report::parsed(report::read_whole(ledger)));
-        report::write_whole(output, report::csv(table));
+        if (!decided.empty()) return 0;
+        const auto papers = report::papers(report::parsed_words(report::read_whole("paper/papers.csv")));
+        const Paper& paper = report::paper_named(folder, papers);
+        const auto claims = report::by_paper(report::parsed(report::read_whole(ledger)), papers);
+        report::write_whole(output, report::csv(judged(claims.at(folder), paper)));
         return 0;
     });
 }

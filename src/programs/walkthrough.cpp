@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -7,16 +8,50 @@
 #include "particles/errors.hpp"
 #include "programs/options.hpp"
 #include "report/file.hpp"
+#include "report/papers.hpp"
 #include "report/table.hpp"
 
 namespace {
 
 using particles::FailedComputation;
+using report::Paper;
 using report::read_whole;
 using report::Table;
 
 Table table_of(const std::string& path) {
-    return report::parsed(read_whole(path));
+    return report::parsed_words(read_whole(path));
+}
+
+/// A paper with its equations, its claims and the verdicts on these.
+struct Reproduction {
+    Paper paper;
+    Table equations, claims, verdicts;
+};
+
+/// Every paper of which there is something.
+/// \throws FailedComputation for one with equations or claims but no verdicts
+std::vector<Reproduction> reproductions(const Table& equations, const Table& claims) {
+    const auto papers = report::papers(table_of("paper/papers.csv"));
+    const auto equation_parts = report::by_paper(equations, papers);
+    const auto claim_parts = report::by_paper(claims, papers);
+    std::vector<Reproduction> all;
+    for (const Paper& paper : papers) {
+        const Table& its_equations = equation_parts.at(paper.folder);
+        const Table& its_claims = claim_parts.at(paper.folder);
+        const std::string verdicts = "data/" + paper.folder + "/claims.csv";
+        if (std::filesystem::exists(verdicts))
+            all.push_back({paper, its_equations, its_claims, table_of(verdicts)});
+        else if (!its_equations.rows.empty() || !its_claims.rows.empty())
+            throw FailedComputation(verdicts + " is missing; run make claims");
+    }
+    return all;
+}
+
+/// The reproduction in a folder; null for a folder of no paper.
+const Reproduction* reproduction_of(const std::string& folder, const std::vector<Reproduction>& all) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Reproduction& of) { return of.paper.folder == folder; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -32,15 +67,24 @@ std::string cell(std::string text) {
     return text;
 }
 
-/// The same with the equations that the text names, "(16)", as links.
-std::string linked(const std::string& text) {
-    static const std::regex name(R"re(\(([0-9]{1,2})\))re");
-    return std::regex_replace(cell(text), name, "\\eq{A$1}");
-}
-
 /// The number in an equation's key: A16 -> 16.
 std::string number(const std::string& equation) {
     return equation.substr(1);
+}
+
+/// Where an equation stands in the index. Doxygen's anchors have no dots.
+std::string index_anchor(const std::string& equation) {
+    return "index_" + replaced(equation, ".", "_");
+}
+
+/// The text of a cell with its paper's equations that it names, "(16)", as links.
+std::string linked(const std::string& text, const Table& equations) {
+    std::string with_links = cell(text);
+    for (std::size_t row = 0; row < equations.rows.size(); ++row) {
+        const std::string equation = equations.word(row, "equation");
+        with_links = replaced(with_links, "(" + number(equation) + ")", "\\eq{" + equation + "}");
+    }
+    return with_links;
 }
 
 /// Where the tests of a file stand on their page: asprone2010/claims_test.cpp -> test_asprone2010_claims_test.
@@ -106,24 +150,26 @@ void check_equations(const Table& equations) {
             throw FailedComputation("equation " + equation + " of src/" + files.front() + " has no row");
 }
 
-/// The index: every equation with its code, its test and the claims about it.
-std::string equation_page(const Table& equations, const Table& claims) {
+/// The index: every equation with its code, its test and the claims about it, paper by paper.
+std::string equation_page(const std::vector<Reproduction>& all) {
     std::string page =
         "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, "
-        "the tests that "
-        "name it, and the verdicts on what the paper claims about it.\n\n"
-        "| equation | section | says | tests | claims |\n| --- | --- | --- | --- | --- |\n";
-    for (std::size_t row = 0; row < equations.rows.size(); ++row) {
-        const std::string equation = equations.word(row, "equation"), test = equations.word(row, "test");
-        std::string about;
-        for (std::size_t claim = 0; claim < claims.rows.size(); ++claim)
-            if ((" " + claims.word(claim, "equations") + " ").find(" " + number(equation) + " ") !=
-                std::string::npos)
-                about += " \\claim{" + claims.word(claim, "id") + "}";
-        page += "| \\anchor index_" + equation + " \\eq{" + equation + "} | \\ref " +
-                section_page(equations.word(row, "code")) + " \"" + equations.word(row, "section") + "\" | " +
-                cell(equations.word(row, "meaning")) + " | \\ref " + anchor(test) + " \"tests\" | " + about +
-                " |\n";
+        "the tests that name it, and the verdicts on what the paper claims about it.\n";
+    for (const auto& [paper, equations, claims, verdicts] : all) {
+        page += "\n## " + paper.citation +
+                "\n\n| equation | section | says | tests | claims |\n| --- | --- | --- | --- | --- |\n";
+        for (std::size_t row = 0; row < equations.rows.size(); ++row) {
+            const std::string equation = equations.word(row, "equation");
+            std::string about;
+            for (std::size_t claim = 0; claim < claims.rows.size(); ++claim)
+                if ((" " + claims.word(claim, "equations") + " ").find(" " + number(equation) + " ") !=
+                    std::string::npos)
+                    about += " \\claim{" + claims.word(claim, "id") + "}";
+            page += "| \\anchor " + index_anchor(equation) + " \\eq{" + equation + "} | \\ref " +
+                    section_page(equations.word(row, "code")) + " \"" + equations.word(row, "section") +
+                    "\" | " + cell(equations.word(row, "meaning")) + " | \\ref " +
+                    anchor(equations.word(row, "test")) + " \"tests\" | " + about + " |\n";
+        }
     }
     return page;
 }
@@ -149,23 +195,20 @@ std::string tally(const Table& verdicts, const std::string& section) {
 }
 
 /// A claim in words, with links to the equations that it names and, behind it, to those it is about without naming them.
-std::string claim_of(const Table& claims, std::size_t row) {
-    std::string text = linked(claims.word(row, "claim"));
-    std::istringstream numbers(claims.word(row, "equations"));
+std::string claim_of(const Reproduction& of, std::size_t row) {
+    std::string text = linked(of.claims.word(row, "claim"), of.equations);
+    std::istringstream numbers(of.claims.word(row, "equations"));
     for (std::string each; numbers >> each;)
-        if (const std::string link = "\\eq{A" + each + "}"; text.find(link) == std::string::npos)
+        if (const std::string link = "\\eq{" + of.paper.letter + each + "}";
+            text.find(link) == std::string::npos)
             text += " " + link;
     return text;
 }
 
-/// The ledger, section by section: every claim with what was measured; what is not reproduced stands out.
-std::string claims_page(const Table& claims, const Table& verdicts) {
-    std::string page =
-        "Claims {#claims}\n======\n\nEvery statement of the paper that a measurement can confirm or refute, "
-        "in our words. Each "
-        "verdict is computed: the statement is compared with what was measured under both conventions of the "
-        "particle volumes, "
-        "which the print leaves open. The name of a claim leads to the tests of its subject.\n\n";
+/// A paper's ledger, section by section: every claim with what was measured; what is not reproduced stands out.
+std::string claims_of(const Reproduction& of) {
+    const auto& [paper, equations, claims, verdicts] = of;
+    const auto& [about, one, other] = paper.conventions;
     std::map<std::string, std::string> sections;
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {
         const std::string id = claims.word(row, "id");
@@ -176,68 +219,89 @@ std::string claims_page(const Table& claims, const Table& verdicts) {
         const std::string shown = verdict == "reproduced" ? verdict : "**" + cell(verdict) + "**";
         sections[claims.word(row, "section")] +=
             "| \\anchor claim_" + id + " \\ref " + anchor(claims.word(row, "test")) + " \"" + id + "\" | " +
-            claim_of(claims, row) + " | " + shown +
-            (conditional.empty() ? "" : " (then " + conditional + ")") + " | " +
-            linked(claims.word(row, "quantity")) + ": " + cell(verdicts.word(row, "statement")) + " (" +
-            cell(claims.word(row, "reason")) + ") | " + verdicts.word(row, "measured_equal") + " | " +
-            verdicts.word(row, "measured_partition") + " |\n";
+            claim_of(of, row) + " | " + shown + (conditional.empty() ? "" : " (then " + conditional + ")") +
+            " | " + linked(claims.word(row, "quantity"), equations) + ": " +
+            cell(verdicts.word(row, "statement")) + " (" + cell(claims.word(row, "reason")) + ") | " +
+            verdicts.word(row, "measured_" + one.name) + " | " +
+            verdicts.word(row, "measured_" + other.name) + " |\n";
     }
+    std::string text = "## " + paper.citation + "\n\nThe two conventions: " + one.name + ", " +
+                       one.condition + "; " + other.name + ", " + other.condition + ".\n\n";
     for (const auto& [section, rows] : sections)
-        page += "## Section " + section + ": " + tally(verdicts, section) +
-                "\n\n| claim | says | verdict | stated of (why so closely) | equal | partition |\n| --- | "
-                "--- | --- | --- | --- | --- |\n" +
-                rows + "\n";
+        text += "### Section " + section + ": " + tally(verdicts, section) +
+                "\n\n| claim | says | verdict | stated of (why so closely) | " + one.name + " | " +
+                other.name + " |\n| --- | --- | --- | --- | --- | --- |\n" + rows + "\n";
+    return text;
+}
+
+std::string claims_page(const std::vector<Reproduction>& all) {
+    std::string page =
+        "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in "
+        "our words. Each verdict is computed: the statement is compared with what was measured under two "
+        "conventions between which the print does not decide. The name of a claim leads to the tests of its "
+        "subject.\n\n";
+    for (const Reproduction& of : all) page += claims_of(of);
     return page;
 }
 
-/// What the print leaves open: the same quantities with one choice and with another, a table for each pair of choices.
-std::string choices_page(const Table& choices) {
-    std::string page =
-        "Choices {#choices}\n=======\n\nWhat the print leaves open, measured both ways. The \\ref "
-        "companion_asprone2010 "
-        "\"companion\" says what we chose and why.\n";
+/// What a paper's print leaves open: the same quantities with one choice and with another, a table for each pair of choices.
+std::string choices_of(const Paper& paper, const Table& choices) {
+    std::string text = "\n## " + paper.citation + "\n\nThe \\ref companion_" + paper.folder +
+                       " \"companion\" says what we chose and why.\n";
     std::string current;
     for (std::size_t row = 0; row < choices.rows.size(); ++row) {
         const auto word = [&](const char* name) { return cell(choices.word(row, name)); };
         if (const std::string head = word("choice"); head != current) {
-            page += "\n## " + head + "\n\n| quantity | formulation | " + word("one") + " | " + word("other") +
-                    " |\n| --- | --- | --- | --- |\n";
+            text += "\n### " + head + "\n\n| quantity | formulation | " + word("one") + " | " +
+                    word("other") + " |\n| --- | --- | --- | --- |\n";
             current = head;
         }
-        page += "| " + word("quantity") + " | " + word("formulation") + " | " + word("with_one") + " | " +
+        text += "| " + word("quantity") + " | " + word("formulation") + " | " + word("with_one") + " | " +
                 word("with_other") + " |\n";
     }
+    return text;
+}
+
+std::string choices_page(const std::vector<Reproduction>& all) {
+    std::string page = "Choices {#choices}\n=======\n\nWhat the print leaves open, measured both ways.\n";
+    for (const Reproduction& of : all)
+        if (const std::string choices = "data/" + of.paper.folder + "/choices.csv";
+            std::filesystem::exists(choices))
+            page += choices_of(of.paper, table_of(choices));
     return page;
 }
 
 /// The tests: the properties that they state, file by file, and their source.
-std::string tests_page(const std::vector<std::string>& files) {
+std::string tests_page(const std::vector<std::string>& files, const std::vector<Reproduction>& all) {
     std::string page =
         "Tests {#tests}\n=====\n\nWhat the tests of each file state. `make check` runs them all.\n\n";
     for (const std::string& file : files) {
         const std::string name_of_file = file.substr(std::string("tests/").size());
         page += "\\section " + anchor(name_of_file) + " " + name_of_file + "\n";
-        const bool of_paper = file.starts_with("tests/asprone2010/");
+        const Reproduction* of = reproduction_of(name_of_file.substr(0, name_of_file.find('/')), all);
         for (const std::string& name : test_cases(file))
-            page += "- " + (of_paper ? linked(name) : cell(name)) + "\n";
+            page += "- " + (of ? linked(name, of->equations) : cell(name)) + "\n";
         page += "\n";
     }
     return page;
 }
 
 /// The README's table: paper item, command, output, source, verdict.
-std::string readme_table(const Table& items, const Table& verdicts) {
+std::string readme_table(const Table& items, const std::vector<Reproduction>& all) {
     std::string text = "| paper | command | output | source | claims |\n| --- | --- | --- | --- | --- |\n";
     const auto link = [](const std::string& path) {
         return "[" + std::filesystem::path(path).filename().string() + "](" + path + ")";
     };
     for (std::size_t row = 0; row < items.rows.size(); ++row) {
+        const Reproduction* of = reproduction_of(items.word(row, "paper"), all);
+        if (!of)
+            throw FailedComputation("'" + items.word(row, "item") + "' of paper/items.csv is of no paper");
         std::string outputs;
         std::istringstream words(items.word(row, "output"));
         for (std::string path; words >> path;) outputs += (outputs.empty() ? "" : ", ") + link(path);
         text += "| " + items.word(row, "item") + " | `" + items.word(row, "command") + "` | " + outputs +
                 " | " + link(items.word(row, "source")) + " | " +
-                tally(verdicts, items.word(row, "section")) + " |\n";
+                tally(of->verdicts, items.word(row, "section")) + " |\n";
     }
     return text;
 }
@@ -270,8 +334,8 @@ int main(int argc, char** argv) {
     app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
     return programs::run(app, argc, argv, [&] {
         const Table equations = table_of("paper/equations.csv"), claims = table_of("paper/claims.csv");
-        const Table verdicts = table_of("data/asprone2010/claims.csv");
         check_equations(equations);
+        const std::vector<Reproduction> all = reproductions(equations, claims);
         std::cout << equations.rows.size() << " equations indexed, 0 without code or test\n";
         if (!pages.empty()) {
             std::vector<std::string> files;
@@ -280,14 +344,13 @@ int main(int argc, char** argv) {
                     files.push_back(entry.path().generic_string());
             std::sort(files.begin(), files.end());
             std::filesystem::create_directories(pages);
-            report::write_whole(pages + "/equations.md", equation_page(equations, claims));
-            report::write_whole(pages + "/claims.md", claims_page(claims, verdicts));
-            report::write_whole(pages + "/choices.md",
-                                choices_page(table_of("data/asprone2010/choices.csv")));
-            report::write_whole(pages + "/tests.md", tests_page(files));
+            report::write_whole(pages + "/equations.md", equation_page(all));
+            report::write_whole(pages + "/claims.md", claims_page(all));
+            report::write_whole(pages + "/choices.md", choices_page(all));
+            report::write_whole(pages + "/tests.md", tests_page(files, all));
         }
         const std::string readme = read_whole(readme_file);
-        const std::string fresh = with_part(readme, readme_table(table_of("paper/items.csv"), verdicts));
+        const std::string fresh = with_part(readme, readme_table(table_of("paper/items.csv"), all));
         if (write_readme && fresh != readme) report::write_whole(readme_file, fresh);
         if (check_readme && fresh != readme)
             throw FailedComputation("the table of README.md is stale; run make claims");

@@ -39,7 +39,6 @@ std::string text(const Cell& cell, const Tolerance& tolerance) {
 }
 
 Cell parsed_cell(const std::string& text) {
-    if (text.empty()) return {};
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error == std::errc() && end == text.data() + text.size()) return number;
@@ -115,7 +114,7 @@ std::string csv(const Table& table) {
     return out.str();
 }
 
-Table parsed(const std::string& csv) {
+Table parsed_words(const std::string& csv) {
     Table table;
     std::vector<std::string> tolerances;
     std::istringstream in(csv);
@@ -128,7 +127,7 @@ Table parsed(const std::string& csv) {
             for (const std::string& name : split(line)) table.columns.push_back({name, {}});
         } else {
             std::vector<Cell> row;
-            for (const std::string& part : split(line)) row.push_back(parsed_cell(part));
+            for (const std::string& part : split(line)) row.push_back(part.empty() ? Cell() : Cell(part));
             if (row.size() != table.columns.size())
                 throw FailedComputation("line " + std::to_string(number) + " has " +
                                         std::to_string(row.size()) + " entries for " +
@@ -152,6 +151,14 @@ Table parsed(const std::string& csv) {
         table.columns[table.column(tolerance.substr(start, colon - start))].tolerance = {
             number(colon + words, comma), number(comma + words, tolerance.size())};
     }
+    return table;
+}
+
+Table parsed(const std::string& csv) {
+    Table table = parsed_words(csv);
+    for (std::vector<Cell>& row : table.rows)
+        for (Cell& cell : row)
+            if (const auto* word = std::get_if<std::string>(&cell)) cell = parsed_cell(*word);
     return table;
 }
 

@@ -31,23 +31,34 @@ struct Measurement {
     double value;
 };
 
-/// The verdict on a claim, from measurements under two conventions that the print does not decide between.
+/// A convention by its name, "equal", and as a condition, "volumes are equal".
+struct Convention {
+    std::string name, condition;
+};
+
+/// Two conventions that the print does not decide between, and what they are about: "volumes".
+struct Conventions {
+    std::string about;
+    Convention one, other;
+};
+
+/// The verdict on a claim, from measurements under the one convention and under the other.
 /// The first measurement of each is of the claim as it stands; further ones are of readings that add a condition.
 /// \return "reproduced", "holds only if …", "differs", or "cannot tell" where nothing finite was measured
-inline std::string verdict(const Statement& statement, const std::vector<Measurement>& equal,
-                           const std::vector<Measurement>& partition) {
+inline std::string verdict(const Statement& statement, const Conventions& conventions,
+                           const std::vector<Measurement>& one, const std::vector<Measurement>& other) {
     const auto finite = [](const std::vector<Measurement>& of) {
         return !of.empty() && std::isfinite(of.front().value);
     };
-    if (!finite(equal) || !finite(partition)) return "cannot tell";
-    const bool with_equal = fits(statement, equal.front().value);
-    const bool with_partition = fits(statement, partition.front().value);
-    if (with_equal && with_partition) return "reproduced";
-    if (with_equal) return "holds only if volumes are equal";
-    if (with_partition) return "holds only if volumes are a partition";
-    for (std::size_t k = 1; k < std::min(equal.size(), partition.size()); ++k)
-        if (fits(statement, equal[k].value) && fits(statement, partition[k].value))
-            return "holds only if " + equal[k].condition;
+    if (!finite(one) || !finite(other)) return "cannot tell";
+    const bool with_one = fits(statement, one.front().value);
+    const bool with_other = fits(statement, other.front().value);
+    if (with_one && with_other) return "reproduced";
+    if (with_one) return "holds only if " + conventions.one.condition;
+    if (with_other) return "holds only if " + conventions.other.condition;
+    for (std::size_t k = 1; k < std::min(one.size(), other.size()); ++k)
+        if (fits(statement, one[k].value) && fits(statement, other[k].value))
+            return "holds only if " + one[k].condition;
     return "differs";
 }
 

@@ -1,4 +1,3 @@
-#include "report/table.hpp"
 #include "tests/programs/run.hpp"
 
 using programs::run;
@@ -8,19 +7,29 @@ TEST_CASE("claims: a claim without a computation is red, and so is a computation
     const std::string ledger = folder.path + "/claims.csv";
     const std::string head = "id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n";
     const std::string known = "A21,5.3,,a claim,a quantity,<,1e-12,0,a reason,a test\n";
-    report::write_whole(ledger, head + "Z99,1,,a claim,a quantity,=,1,0,a reason,a test\n");
-    programs::check_refused("claims --ledger " + ledger, 1, "claim Z99 has no computation that decides it");
+    report::write_whole(ledger, head + "A99,1,,a claim,a quantity,=,1,0,a reason,a test\n");
+    programs::check_refused("claims --ledger " + ledger, 1, "claim A99 has no computation that decides it");
     report::write_whole(ledger, head + known);
     programs::check_refused("claims --ledger " + ledger, 1, "every computation needs its row");
+    report::write_whole(ledger, head + known + "Z01,1,,a claim,a quantity,=,1,0,a reason,a test\n");
+    programs::check_refused("claims --ledger " + ledger, 1, "Z01 belongs to no paper");
+    programs::check_refused("claims --paper nonsense", 2, "there is no paper 'nonsense'");
     programs::check_refused("claims --ledger " + folder.path + "/missing.csv", 1, "cannot read");
     programs::check_refused("claims --nonsense", 2, "--nonsense");
 }
 
-TEST_CASE("claims: the count of verdicts is read from the table") {
+TEST_CASE("claims: the count of verdicts is read from the table, and of several with their papers") {
     const programs::Folder folder;
-    const std::string table = folder.path + "/verdicts.csv";
+    const std::string first = folder.path + "/first/claims.csv", second = folder.path + "/second/claims.csv";
+    for (const std::string& table : {first, second})
+        std::filesystem::create_directory(std::filesystem::path(table).parent_path());
     report::write_whole(
-        table, "id,verdict\na,reproduced\nb,differs\nc,holds only if x\nd,reproduced\ne,cannot tell\n");
-    CHECK(run("claims --count " + table).output ==
-          "5 claims: 2 reproduced, 1 hold under a condition, 1 differ, 1 cannot tell\n");
+        first, "id,verdict\na,reproduced\nb,differs\nc,holds only if x\nd,reproduced\ne,cannot tell\n");
+    report::write_whole(second, "id,verdict\na,reproduced\n");
+    const std::string of_first =
+        "5 claims: 2 reproduced, 1 hold under a condition, 1 differ, 1 cannot tell\n";
+    CHECK(run("claims --count " + first).output == of_first);
+    CHECK(run("claims --count " + first + " " + second).output ==
+          "first: " + of_first +
+              "second: 1 claims: 1 reproduced, 0 hold under a condition, 0 differ, 0 cannot tell\n");
 }

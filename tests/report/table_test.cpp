@@ -51,6 +51,16 @@ TEST_CASE("table: words with commas and quotes come back as they were") {
     CHECK(parsed(csv(table)).word(0, "number") == "2.5");
 }
 
+TEST_CASE("table: read as words, entries that look like numbers stay as they are written") {
+    const std::string text = "key,number\n4.10,1e-3\n4.1,\n";
+    const Table words = parsed_words(text);
+    CHECK(words.word(0, "key") == "4.10");
+    CHECK(words.word(0, "number") == "1e-3");
+    CHECK(words.word(1, "key") == "4.1");
+    CHECK(words.word(1, "number").empty());
+    CHECK(parsed(text).word(0, "key") == "4.1");
+}
+
 TEST_CASE("table: numbers are written and read with a point in every locale") {
     struct Comma : std::numpunct<char> {
         [[nodiscard]] char do_decimal_point() const override { return ','; }

@@ -16,14 +16,18 @@ TEST_CASE("verdict: relations") {
 }
 
 TEST_CASE("verdict: reproduced, conditional, different, undecided") {
-    const Statement two{"=", 2, 0.1};
-    CHECK(verdict(two, {{"", 2}}, {{"", 2.05}}) == "reproduced");
-    CHECK(verdict(two, {{"", 2}}, {{"", 1}}) == "holds only if volumes are equal");
-    CHECK(verdict(two, {{"", 1}}, {{"", 2}}) == "holds only if volumes are a partition");
-    CHECK(verdict(two, {{"", 1}}, {{"", 1}}) == "differs");
-    CHECK(verdict(two, {{"", 1}, {"DB is exact", 2}}, {{"", 1}, {"DB is exact", 2}}) ==
+    const Conventions volumes{
+        "volumes", {"equal", "volumes are equal"}, {"partition", "volumes are a partition"}};
+    const auto of_two = [&](const std::vector<Measurement>& one, const std::vector<Measurement>& other) {
+        return verdict({"=", 2, 0.1}, volumes, one, other);
+    };
+    CHECK(of_two({{"", 2}}, {{"", 2.05}}) == "reproduced");
+    CHECK(of_two({{"", 2}}, {{"", 1}}) == "holds only if volumes are equal");
+    CHECK(of_two({{"", 1}}, {{"", 2}}) == "holds only if volumes are a partition");
+    CHECK(of_two({{"", 1}}, {{"", 1}}) == "differs");
+    CHECK(of_two({{"", 1}, {"DB is exact", 2}}, {{"", 1}, {"DB is exact", 2}}) ==
           "holds only if DB is exact");
-    CHECK(verdict(two, {{"", 1}, {"DB is exact", 2}}, {{"", 1}, {"DB is exact", 1}}) == "differs");
-    CHECK(verdict(two, {{"", std::nan("")}}, {{"", 2}}) == "cannot tell");
-    CHECK(verdict(two, {}, {}) == "cannot tell");
+    CHECK(of_two({{"", 1}, {"DB is exact", 2}}, {{"", 1}, {"DB is exact", 1}}) == "differs");
+    CHECK(of_two({{"", std::nan("")}}, {{"", 2}}) == "cannot tell");
+    CHECK(of_two({}, {}) == "cannot tell");
 }
