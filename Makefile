@@ -13,19 +13,20 @@ CXX ?= g++
 OPTIMISE ?= -O2
 # No contraction and no -march: data keep their bytes from one build to the next.
 CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3
-LDLIBS := -llapacke -lopenblas -lgsl
+CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
+LDLIBS := -lumfpack -llapacke -lopenblas -lgsl
 
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
-PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libcli11-dev doctest-dev
+PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev \
+            libcli11-dev doctest-dev
 goals := $(filter-out setup,$(MAKECMDGOALS))
 PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 
 bin := $(BUILD)/bin
-programs := derivative_test static_test vibration_test choices claims walkthrough compare_tables
+programs := derivative_test static_test vibration_test plate hole choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp)
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
@@ -37,6 +38,30 @@ asprone2010/figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --medi
 asprone2010/figure_3       = $(bin)/vibration_test
 asprone2010/claims         = $(bin)/claims --paper asprone2010
 asprone2010/choices        = $(bin)/choices
+
+grids := 16x4,31x7,61x13,91x19
+batra2008/table_1          = $(bin)/plate --method strong --corner-3 all
+batra2008/table_2          = $(bin)/plate --method strong --corner-1 all --particles $(grids)
+batra2008/figure_4         = $(bin)/plate --states 46x10
+batra2008/figure_5         = $(bin)/plate --states bottom
+batra2008/figure_6         = $(bin)/plate --states top
+batra2008/figure_7         = $(bin)/plate --states bottom --poisson 0.499999
+batra2008/figure_7_strain  = $(bin)/plate --states bottom --poisson 0.499999 --plane strain
+batra2008/locking          = $(bin)/plate --plane strain --poisson 0.3,0.4,0.45,0.49,0.499,0.4999,0.49999,0.499999
+batra2008/figure_8         = $(bin)/plate --method weak1,weak2 --gauss 3:1:32
+batra2008/figure_9         = $(bin)/plate --scaling 2.1:0.1:5
+batra2008/figure_10        = $(bin)/plate --states bottom --method weak1,weak2 --scaling 4 --degree 1,2
+batra2008/figure_11        = $(bin)/plate --states bottom --scaling 4 --particles $(grids)
+batra2008/figure_12        = $(bin)/plate --scaling 4 --particles $(grids)
+batra2008/figure_14        = $(bin)/hole --states particles --method weak1
+batra2008/figure_15        = $(bin)/hole --states 25x25
+batra2008/figure_16        = $(bin)/hole --states x2-axis
+batra2008/figure_17        = $(bin)/hole --states x2-axis
+batra2008/figure_18        = $(bin)/hole --states particles --method weak1 --layout graded-686-21
+batra2008/figure_19        = $(bin)/hole --states x2-axis --layout graded-686-21
+batra2008/figure_20        = $(bin)/hole --states x2-axis --layout graded-686-21
+batra2008/layouts          = $(bin)/hole --radius 0.25,0.3,0.35,0.4,0.5 --draws 4 \
+                             --layout graded-188-11,polar-11x17,graded-686-21,polar-21x33
 
 # The names of the variables above are the list of tables.
 tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
@@ -119,6 +144,7 @@ $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
 
+$(bin)/plate $(bin)/hole: $(addprefix $(BUILD)/src/,programs/example_problems.o batra2008/section_4_example_problems.o)
 $(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=src/%/*.cpp)))
 $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)

@@ -213,13 +213,18 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body) 
     }
 }
 
-int run(CLI::App& app, int argc, char** argv, const Options& options,
+int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
         const std::function<report::Table()>& compute) {
     return run(app, argc, argv, [&] {
-        if (options.threads > 0) omp_set_num_threads(options.threads);
-        report::write_whole(options.output, report::csv(compute()));
+        if (threads > 0) omp_set_num_threads(threads);
+        report::write_whole(output, report::csv(compute()));
         return 0;
     });
+}
+
+int run(CLI::App& app, int argc, char** argv, const Options& options,
+        const std::function<report::Table()>& compute) {
+    return run(app, argc, argv, options.threads, options.output, compute);
 }
 
 }  // namespace programs

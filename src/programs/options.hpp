@@ -64,6 +64,9 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
 
 /// The body of main for a table: options are read, the table is computed and written.
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
+/// \param threads how many, 0 for all \param output the file to write; both are read once the options are
+int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
+        const std::function<report::Table()>& compute);
 int run(CLI::App& app, int argc, char** argv, const Options& options,
         const std::function<report::Table()>& compute);
 

@@ -1,0 +1,207 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "batra2008/section_2_ssph_basis.hpp"
+#include "particles/region.hpp"
+
+namespace batra2008 {
+
+/// A displacement or a traction [length, force/area].
+using Vector = Eigen::Vector2d;
+/// Stresses \f$[\sigma_{11}, \sigma_{22}, \sigma_{12}]\f$ [force/area].
+using Stress = Eigen::Vector3d;
+/// Strains \f$[\varepsilon_{11}, \varepsilon_{22}, 2\varepsilon_{12}]\f$.
+using Strain = Eigen::Vector3d;
+
+/// Section 3, plane elastostatics: equilibrium, boundary conditions and Hooke's law, which the three methods share.
+///
+/// | paper | code | meaning |
+/// | --- | --- | --- |
+/// | \f$u,\ \sigma,\ \varepsilon\f$ | `u`, `stress`, `strain` | displacement, stress, strain |
+/// | \f$E,\ \nu\f$ | `Material::E`, `Material::nu` | Young's modulus, Poisson's ratio |
+/// | \f$E_0,\ \nu_0\f$ | `E0(material)`, `nu0(material)` | their plane equivalents |
+/// | \f$\Gamma_u,\ \Gamma_t\f$ | `Side::displaced` | where a component of u, or of the traction, is given |
+/// | \f$\bar u,\ \bar t\f$ | `Problem::exact` | given values, taken from an exact solution as in the paper's examples |
+///
+/// The print lets each boundary carry either displacements or tractions. Here every component of a side chooses for itself,
+/// as the symmetry planes of Section 4.2 need. The body force b, zero in the paper, is kept: a manufactured solution has one.
+namespace elastostatics {
+
+/// Which component of the third direction vanishes.
+enum class Plane { stress, strain };
+
+/// \throws particles::InvalidInput for another name
+inline Plane plane_named(std::string_view name) {
+    if (name == "stress") return Plane::stress;
+    if (name == "strain") return Plane::strain;
+    throw particles::InvalidInput("there is no plane '" + std::string(name) + "'; choose stress or strain");
+}
+
+/// An isotropic linear elastic material.
+struct Material {
+    double E;   ///< Young's modulus [force/area]
+    double nu;  ///< Poisson's ratio
+    Plane plane = Plane::stress;
+};
+
+/// \throws particles::InvalidInput unless E > 0 and −1 < ν < 1/2 (plane stress: ν ≤ 1/2), all finite
+inline Material checked(const Material& material) {
+    const auto& [E, nu, plane] = material;
+    if (!(std::isfinite(E) && E > 0))
+        throw particles::InvalidInput("Young's modulus must be positive and finite, got " +
+                                      particles::shown(E));
+    if (!(nu > -1 && (plane == Plane::stress ? nu <= 0.5 : nu < 0.5)))
+        throw particles::InvalidInput("Poisson's ratio must lie above -1 and below 0.5, got " +
+                                      particles::shown(nu));
+    return material;
+}
+
+/// The plane equivalent of Young's modulus. \defeq{B3.5}
+/// \f[ E_0 = \frac{E}{1-\nu^2},\ \nu_0 = \frac{\nu}{1-\nu}\ \text{(plane strain)}, \qquad
+///     E_0 = E,\ \nu_0 = \nu\ \text{(plane stress)} \tag{3.5} \f]
+inline double E0(const Material& of) {
+    return of.plane == Plane::strain ? of.E / (1 - of.nu * of.nu) : of.E;
+}
+
+/// The plane equivalent of Poisson's ratio, \eq{B3.5}.
+inline double nu0(const Material& of) {
+    return of.plane == Plane::strain ? of.nu / (1 - of.nu) : of.nu;
+}
+
+/// The matrix of elastic constants. \defeq{B3.4}
+/// \f[ D = \frac{E_0}{1-\nu_0^2}\begin{bmatrix} 1 & \nu_0 & 0 \\ \nu_0 & 1 & 0 \\ 0 & 0 & \frac{1-\nu_0}{2} \end{bmatrix} \tag{3.4} \f]
+inline Eigen::Matrix3d D(const Material& of) {
+    const double nu_0 = nu0(of);
+    return E0(of) / (1 - nu_0 * nu_0) * Eigen::Matrix3d{{1, nu_0, 0}, {nu_0, 1, 0}, {0, 0, (1 - nu_0) / 2}};
+}
+
+/// Hooke's law. \defeq{B3.3}
+/// \f[ \sigma = D\,\varepsilon \tag{3.3} \f]
+inline Stress stress(const Material& of, const Strain& strain) {
+    return D(of) * strain;
+}
+
+/// The operator of strain, applied to a function whose gradient is g: two columns, one for each component that the function
+/// stands for. \defeq{B3.7}
+/// \f[ L = \begin{bmatrix} \partial/\partial x_1 & 0 \\ 0 & \partial/\partial x_2 \\ \partial/\partial x_2 & \partial/\partial x_1 \end{bmatrix} \tag{3.7} \f]
+inline Eigen::Matrix<double, 3, 2> L(const Vector& g) {
+    return Eigen::Matrix<double, 3, 2>{{g[0], 0}, {0, g[1]}, {g[1], g[0]}};
+}
+
+/// Strains of a displacement. \defeq{B3.6}
+/// \f[ \varepsilon = L\,u \tag{3.6} \f]
+/// \param gradient \f$\partial u_i/\partial x_\alpha\f$ in row i and column α
+inline Strain strain(const Eigen::Matrix2d& gradient) {
+    const Vector g1 = gradient.row(0), g2 = gradient.row(1);
+    return L(g1).col(0) + L(g2).col(1);
+}
+
+/// The traction on a surface, below \eq{B3.2}. \defeq{B3.2}
+/// \f[ u_i = \bar u_i\ \text{on}\ \Gamma_u, \qquad t_i \equiv \sigma_{ij}\,n_j = \bar t_i\ \text{on}\ \Gamma_t \tag{3.2} \f]
+inline Vector traction(const Stress& sigma, const Vector& n) {
+    return {sigma[0] * n[0] + sigma[2] * n[1], sigma[2] * n[0] + sigma[1] * n[1]};
+}
+
+/// What is out of equilibrium. \defeq{B3.1}
+/// \f[ \sigma_{ij,j} + b_i = 0 \tag{3.1} \f]
+/// \param stress_gradient derivatives of the three stresses, by \f$x_1\f$ in the first column and by \f$x_2\f$ in the second
+/// \param b body force [force/volume]
+inline Vector imbalance(const Eigen::Matrix<double, 3, 2>& stress_gradient, const Vector& b) {
+    const auto& s = stress_gradient;
+    return Vector(s(0, 0) + s(2, 1), s(2, 0) + s(1, 1)) + b;
+}
+
+/// A function of the place.
+template <class Value>
+using FieldOf = std::function<Value(const Point<2>&)>;
+
+/// A solution that is known: it gives the boundary values, the body force, and what errors are measured against.
+struct Exact {
+    FieldOf<Vector> u;
+    FieldOf<Stress> stress;
+    FieldOf<Vector> b = [](const Point<2>&) { return Vector(Vector::Zero()); };
+};
+
+/// A part of the boundary, and which components of the displacement are given on it; of the others the traction is.
+struct Side {
+    particles::Curve curve;
+    std::array<bool, 2> displaced = {false, false};
+};
+
+/// One scalar condition at a boundary particle: a component of the displacement, or of the traction on a plane with normal n.
+struct Condition {
+    bool displacement;
+    Index component;
+    Vector n = Vector::Zero();
+};
+
+/// The two conditions that the particle at a corner satisfies; the print lets one choose.
+struct Corner {
+    Point<2> at;
+    std::array<Condition, 2> conditions;
+};
+
+/// A boundary-value problem.
+struct Problem {
+    Material material;
+    std::vector<Side> sides;      ///< anticlockwise
+    std::vector<Corner> corners;  ///< choices; corners without one follow conditions_at()
+    Exact exact;
+    double size;  ///< a length of the body
+};
+
+/// The region that a problem's sides enclose.
+inline particles::Region region(const Problem& problem) {
+    particles::Region curves;
+    for (const Side& side : problem.sides) curves.push_back(side.curve);
+    return curves;
+}
+
+/// \throws particles::InvalidInput naming the first particle that lies outside
+inline void check_inside(const particles::Cloud<2>& cloud, const Problem& problem) {
+    const particles::Region curves = region(problem);
+    for (Index I = 0; I < cloud.size(); ++I)
+        if (!particles::contains(curves, cloud.x().col(I), problem.size))
+            throw particles::InvalidInput("particle " + std::to_string(I) + " at " +
+                                          particles::shown_point(cloud.x().col(I)) +
+                                          " lies outside the body");
+}
+
+/// The two conditions of a boundary particle; none inside. Where sides meet and no choice was made, a component is displaced if
+/// it is so on any of them, and else takes its traction from the side whose normal is nearer to its axis.
+inline std::vector<Condition> conditions_at(const Problem& problem, const Point<2>& x) {
+    for (const Corner& corner : problem.corners)
+        if ((corner.at - x).norm() <= 1e-9 * problem.size)
+            return {corner.conditions.begin(), corner.conditions.end()};
+    std::vector<Condition> both;
+    for (const Side& side : problem.sides) {
+        if (!particles::lies_on(side.curve, x, problem.size)) continue;
+        const Vector n = particles::normal_at(side.curve, x);
+        const bool first = both.empty();
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto component = static_cast<Index>(i);
+            const Condition here{side.displaced[i], component, n};
+            if (first)
+                both.push_back(here);
+            else if (!both[i].displacement &&
+                     (here.displacement || std::abs(n[component]) > std::abs(both[i].n[component])))
+                both[i] = here;
+        }
+    }
+    return both;
+}
+
+/// The value that a condition gives, from the exact solution.
+inline double value(const Problem& problem, const Condition& condition, const Point<2>& x) {
+    return condition.displacement ? problem.exact.u(x)[condition.component]
+                                  : traction(problem.exact.stress(x), condition.n)[condition.component];
+}
+
+}  // namespace elastostatics
+}  // namespace batra2008

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "particles/cells.hpp"
+#include "particles/parallel.hpp"
+#include "particles/truncated_gaussian.hpp"
+
+namespace particles {
+
+/// "(0.5, 0.2)"
+template <class Position>
+std::string shown_point(const Position& x) {
+    std::string text = "(";
+    for (Index axis = 0; axis < x.size(); ++axis) text += (axis ? ", " : "") + shown(x[axis]);
+    return text + ")";
+}
+
+/// What a place sees of a cloud of particles: one entry per particle within reach. Offsets and kernel are in units of the
+/// smoothing length h, so that the local systems built of them are conditioned alike for every h.
+template <int dim, class Scalar = double>
+struct Surroundings {
+    Eigen::Array<Scalar, Eigen::Dynamic, dim> s;  ///< offsets \f$(\xi_j - x)/h\f$
+    Column<Scalar> W;                             ///< kernel values, for h = 1
+    Scalar edge;                ///< the kernel's derivative is \f$dW/d|s|^2 = -(W + \text{edge})\f$
+    std::vector<int> particle;  ///< the particles' numbers in the cloud
+};
+
+/// Particles in the plane or in space, with a smoothing length each.
+template <int dim>
+class Cloud {
+  public:
+    /// Smoothing lengths are the distances Δ to the nearest neighbours.
+    /// \param x positions, at least two, no two alike
+    /// \throws InvalidInput naming the particle where a condition is broken
+    explicit Cloud(Points<dim> x) : x_(checked(std::move(x))), cells_(x_), h_(x_.cols()) {
+        std::vector<int> nearest(static_cast<std::size_t>(size()));
+        for_each_index(size(), [&](Index j) { h_[j] = nearest_neighbour(j, nearest); });
+        for (Index j = 0; j < size(); ++j)
+            if (h_[j] == 0)
+                throw InvalidInput("particles " + std::to_string(j) + " and " +
+                                   std::to_string(nearest[static_cast<std::size_t>(j)]) + " coincide at " +
+                                   shown_point(x_.col(j)));
+    }
+
+    [[nodiscard]] const Points<dim>& x() const { return x_; }
+    [[nodiscard]] const Column<double>& h() const { return h_; }
+    [[nodiscard]] Index size() const { return x_.cols(); }
+
+    /// The particles nearer to a place than `reach`, in increasing order.
+    [[nodiscard]] std::vector<int> within(const Point<dim>& place, double reach) const {
+        std::vector<int> found;
+        found.reserve(64);
+        cells_.for_each_within(place, reach, [&](int j, double) { found.push_back(j); });
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    /// The particle nearest to a place; of several the first.
+    [[nodiscard]] int nearest(const Point<dim>& place) const {
+        int closest = -1;
+        double least = 0;
+        for (double reach = cells_.side(); closest < 0; reach *= 2)
+            cells_.for_each_within(place, reach, [&](int j, double distance_squared) {
+                if (closest >= 0 && (distance_squared > least || (distance_squared == least && j > closest)))
+                    return;
+                closest = j;
+                least = distance_squared;
+            });
+        return closest;
+    }
+
+  private:
+    static Points<dim> checked(Points<dim> x) {
+        if (x.cols() < 2)
+            throw InvalidInput("a cloud needs at least 2 particles, got " + std::to_string(x.cols()));
+        for (Index j = 0; j < x.cols(); ++j)
+            if (!x.col(j).allFinite())
+                throw InvalidInput("particle " + std::to_string(j) + " is not at a finite position");
+        return x;
+    }
+
+    double nearest_neighbour(Index j, std::vector<int>& nearest) const {
+        double least = -1;
+        for (double reach = cells_.side(); least < 0; reach *= 2)
+            cells_.for_each_within(x_.col(j), reach, [&](int k, double distance_squared) {
+                if (k == j || (least >= 0 && distance_squared >= least)) return;
+                least = distance_squared;
+                nearest[static_cast<std::size_t>(j)] = k;
+            });
+        return std::sqrt(least);
+    }
+
+    Points<dim> x_;
+    Cells<dim> cells_;
+    Column<double> h_;
+};
+
+/// What a place sees of some particles of a cloud, with a smoothing length h. As in Smoothing::reach(), a particle on the
+/// very edge of the support is none, whatever round-off says.
+/// \param among the particles that come into question
+template <int dim>
+Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
+                               const Point<dim>& place, double h, const std::vector<int>& among) {
+    const double edge = kernel.rho() * (1 - 1e-8), per_h = 1 / h;
+    const auto most = static_cast<Index>(among.size());
+    Eigen::Array<double, Eigen::Dynamic, dim> s(most, dim);
+    Column<double> q(most);
+    Surroundings<dim> near;
+    near.edge = kernel.edge();
+    near.particle.resize(among.size());
+    Index count = 0;
+    for (const int j : among) {
+        const Point<dim> offset = (cloud.x().col(j) - place) * per_h;
+        s.row(count) = offset.transpose();
+        q[count] = offset.squaredNorm();
+        near.particle[static_cast<std::size_t>(count)] = j;
+        count += q[count] < edge * edge ? 1 : 0;
+    }
+    near.s = s.topRows(count);
+    near.W = kernel.W(q.head(count));
+    near.particle.resize(static_cast<std::size_t>(count));
+    return near;
+}
+
+/// The same, found in the cloud.
+template <int dim>
+Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
+                               const Point<dim>& place, double h) {
+    return surroundings(cloud, kernel, place, h, cloud.within(place, kernel.rho() * h));
+}
+
+}  // namespace particles

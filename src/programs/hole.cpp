@@ -1,0 +1,181 @@
+#include <unistd.h>
+
+#include <iostream>
+#include <regex>
+
+#include "batra2008/section_4_2_hole.hpp"
+#include "programs/example_problems.hpp"
+#include "programs/options.hpp"
+#include "programs/progress.hpp"
+#include "report/file.hpp"
+
+namespace {
+
+using namespace batra2008;
+
+/// Positions from a file: a line for each particle, x1 and x2 between blanks or a comma; # starts a comment.
+Points<2> read_positions(const std::string& path) {
+    std::istringstream in(report::read_whole(path));
+    std::vector<Point<2>> x;
+    long number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        line = line.substr(0, line.find('#'));
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream words(line);
+        words.imbue(std::locale::classic());
+        std::string first, second, more;
+        if (!(words >> first)) continue;
+        words >> second >> more;
+        const auto read = [&](const std::string& word) {
+            try {
+                std::size_t end = 0;
+                const double value = std::stod(word, &end);
+                if (end == word.size()) return value;
+            } catch (const std::exception&) {
+            }
+            throw particles::InvalidInput(path + ", line " + std::to_string(number) + ": '" + word +
+                                          "' is no number");
+        };
+        if (second.empty() || !more.empty())
+            throw particles::InvalidInput(path + ", line " + std::to_string(number) +
+                                          " does not hold two numbers");
+        x.emplace_back(read(first), read(second));
+    }
+    Points<2> positions(2, static_cast<Index>(x.size()));
+    for (std::size_t j = 0; j < x.size(); ++j) positions.col(static_cast<Index>(j)) = x[j];
+    return positions;
+}
+
+/// The particles of a layout by its name, or of a file. \param drawn whether another draw is another layout
+Points<2> positions(const std::string& layout, const hole::Shape& shape, unsigned long draw, bool& drawn) {
+    static const std::regex graded("graded-([0-9]{1,6})-([0-9]{1,6})"),
+        polar("polar-([0-9]{1,5})x([0-9]{1,5})");
+    std::smatch found;
+    drawn = std::regex_match(layout, found, graded);
+    if (drawn) return hole::graded_layout(shape, std::stol(found[1]), std::stol(found[2]), draw);
+    if (std::regex_match(layout, found, polar))
+        return hole::polar_layout(shape, std::stol(found[1]), std::stol(found[2]));
+    if (layout.find('.') == std::string::npos && layout.find('/') == std::string::npos)
+        throw particles::InvalidInput(
+            "there is no layout '" + layout +
+            "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
+    return read_positions(layout);
+}
+
+/// The places of `--states`.
+std::vector<Point<2>> places(const std::string& where, long points, const hole::Shape& shape,
+                             const Cloud<2>& cloud) {
+    std::vector<Point<2>> chosen;
+    if (where == "x2-axis") {
+        for (long k = 0; k < points; ++k)
+            chosen.emplace_back(0, shape.b + (shape.side - shape.b) * static_cast<double>(k) /
+                                                 static_cast<double>(points - 1));
+        return chosen;
+    }
+    const auto grid = [&] {
+        const auto [rings, rays] = programs::pair_of("--states", where);
+        return hole::polar_layout(shape, rays, rings);
+    };
+    const Points<2> x = where == "particles" ? cloud.x() : grid();
+    for (Index k = 0; k < x.cols(); ++k) chosen.emplace_back(x.col(k));
+    return chosen;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Section 4.2 of Batra and Zhang (2008): a quarter of a plate with a hole under tension, by "
+        "collocation (strong) and "
+        "by two local weak forms (weak1, weak2).",
+        "hole");
+    app.footer(
+        "A LIST is numbers separated by commas, or a range from:step:to.\n"
+        "Layouts: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays of R particles; or a "
+        "file, a "
+        "line x1 x2 for each particle.\n"
+        "Example: hole --layout graded-188-11,graded-686-21 --draws 4");
+    programs::ExampleOptions options;
+    options.scaling = "4";
+    options.poisson = "0.33";
+    options.plane = "strain";
+    std::vector<std::string> layouts{"graded-188-11"};
+    std::string radii = "0.3";
+    unsigned long draw = 1, draws = 1;
+    app.add_option("--layout", layouts, "layouts of particles, separated by commas (default graded-188-11)")
+        ->delimiter(',')
+        ->type_name("NAME|FILE[,...]");
+    app.add_option("--radius", radii, "radii of the hole in m, in a quarter of 3 m (default 0.3)")
+        ->type_name("LIST");
+    app.add_option("--draw", draw, "first draw of a graded layout (default 1)")
+        ->type_name("S")
+        ->check(CLI::Range(1UL, 4000000000UL));
+    app.add_option("--draws", draws, "how many draws: S, S+1, ... (default 1)")
+        ->type_name("K")
+        ->check(CLI::Range(1UL, 100000UL));
+    programs::add_options(app, options, "or a line: x2-axis");
+
+    return programs::run(app, argc, argv, options.threads, options.output, [&] {
+        const auto cases = programs::cases(options, hole::E, hole::penalty);
+        const std::vector<double> all_radii = programs::numbers("--radius", radii);
+        programs::FieldFile field(options.field);
+        report::Table table;
+        table.comments = {
+            "Batra and Zhang (2008), Section 4.2: a quarter of a plate with a hole; lengths in m, stresses "
+            "in Pa",
+            "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 "
+            "of "
+            "(4.4), dn the difference of the norms, nd the norm of the difference"};
+        table.columns = programs::case_columns();
+        table.columns.insert(table.columns.end(), {{"layout"}, {"radius"}, {"draw"}});
+        const bool states = !options.states.empty();
+        const auto results = states ? programs::state_columns()
+                                    : std::vector<report::ColumnHead>{{"log_error_dn", {1e-4, 1e-4}},
+                                                                      {"log_error_nd", {1e-4, 1e-4}},
+                                                                      {"deviation_u1_mm", {1e-4, 1e-6}},
+                                                                      {"deviation_u2_mm", {1e-4, 1e-6}},
+                                                                      {"stress_concentration", {1e-4, 1e-4}}};
+        table.columns.insert(table.columns.end(), results.begin(), results.end());
+        if (options.seconds) programs::add_cost_columns(table);
+
+        programs::Progress progress(layouts.size() * all_radii.size() * draws * cases.size(), std::cerr,
+                                    isatty(STDERR_FILENO) != 0);
+        for (const std::string& layout : layouts)
+            for (const double radius : all_radii)
+                for (unsigned long seed = draw; seed < draw + draws; ++seed) {
+                    const hole::Shape shape{radius, 3};
+                    bool drawn = false;
+                    const Cloud<2> cloud(positions(layout, shape, seed, drawn));
+                    if (!drawn && seed > draw) continue;
+                    const auto mesh = hole::mesh(shape);
+                    for (const programs::ExampleCase& of : cases) {
+                        progress.step();
+                        const Problem problem = hole::problem(of.material, shape);
+                        programs::Cost cost;
+                        const example_problems::Solution solution =
+                            programs::solved(problem, cloud, of.how, cost);
+                        const programs::Solved solved{problem, cloud, solution};
+                        field.add(of, solved);
+                        std::vector<report::Cell> row = programs::case_cells(of);
+                        row[1] = static_cast<long>(cloud.size());
+                        row.insert(
+                            row.end(),
+                            {layout, radius, drawn ? report::Cell(static_cast<long>(seed)) : report::Cell()});
+                        if (states) {
+                            programs::add_states(table, row, solved,
+                                                 places(options.states, options.points, shape, cloud));
+                            continue;
+                        }
+                        const auto [dn, nd] = example_problems::errors(mesh, cloud, solution, problem);
+                        const Vector deviation = 1000 * hole::largest_deviations(cloud, solution, problem);
+                        row.insert(row.end(), {dn, nd, deviation[0], deviation[1],
+                                               hole::stress_concentration(cloud, solution, shape)});
+                        if (options.seconds) programs::add_cost(row, cost);
+                        table.rows.push_back(std::move(row));
+                    }
+                }
+        field.write();
+        return table;
+    });
+}

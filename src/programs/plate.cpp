@@ -1,0 +1,148 @@
+#include <unistd.h>
+
+#include <iostream>
+
+#include "batra2008/section_4_1_plate.hpp"
+#include "programs/example_problems.hpp"
+#include "programs/options.hpp"
+#include "programs/progress.hpp"
+
+namespace {
+
+using namespace batra2008;
+using Pair = std::array<std::string, 2>;
+
+/// The pairs of conditions that an option names; "all" stands for those that the print compares.
+std::vector<Pair> pairs_of(const std::string& option, const std::string& text, const std::vector<Pair>& all) {
+    if (text == "all" && !all.empty()) return all;
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos)
+        throw particles::InvalidInput(option + ": '" + text + "' is no pair of conditions such as u1,u2" +
+                                      (all.empty() ? "" : ", nor all"));
+    return {{text.substr(0, comma), text.substr(comma + 1)}};
+}
+
+/// All combinations of what the four options name.
+std::vector<plate::Corners> choices_of(const std::array<std::string, 4>& corners) {
+    const auto at_1 = plate::choices_at_corner_1();
+    const auto at_3 = plate::choices_at_corner_3();
+    const std::array<std::vector<Pair>, 4> all{
+        std::vector<Pair>(at_1.begin(), at_1.end()), {}, std::vector<Pair>(at_3.begin(), at_3.end()), {}};
+    std::vector<plate::Corners> choices{plate::default_corners()};
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::vector<plate::Corners> more;
+        for (const Pair& pair : pairs_of("--corner-" + std::to_string(k + 1), corners[k], all[k]))
+            for (plate::Corners choice : choices) {
+                choice[k] = pair;
+                more.push_back(choice);
+            }
+        choices = more;
+    }
+    return choices;
+}
+
+/// The places of `--states`.
+std::vector<Point<2>> places(const std::string& where, long points, const Cloud<2>& cloud) {
+    std::vector<Point<2>> chosen;
+    if (where == "bottom" || where == "top") {
+        for (long k = 0; k < points; ++k)
+            chosen.emplace_back(plate::L1 * static_cast<double>(k) / static_cast<double>(points - 1),
+                                where == "top" ? plate::L2 : 0);
+        return chosen;
+    }
+    const auto grid = [&] {
+        const auto [nx, ny] = programs::pair_of("--states", where);
+        return plate::grid(nx, ny);
+    };
+    const Points<2> x = where == "particles" ? cloud.x() : grid();
+    for (Index k = 0; k < x.cols(); ++k) chosen.emplace_back(x.col(k));
+    return chosen;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "Section 4.1 of Batra and Zhang (2008): a plate under shear by collocation (strong) and by two local "
+        "weak forms "
+        "(weak1, weak2).",
+        "plate");
+    app.footer(
+        "A LIST is numbers separated by commas, or a range from:step:to.\n"
+        "Corners: 1 north-east, 2 south-east, 3 south-west, 4 north-west; conditions u1, u2, s11, s22, s12.\n"
+        "Example: plate --method strong,weak1 --particles 16x4,31x7 --scaling 3:0.5:4");
+    programs::ExampleOptions options;
+    options.scaling = "3";
+    options.poisson = "0.33";
+    options.plane = "stress";
+    std::vector<std::string> grids{"16x4"};
+    std::array<std::string, 4> corners{"s11,s22", "s11,s22", "u1,u2", "u1,u2"};
+    app.add_option("--particles", grids, "grids of particles, separated by commas (default 16x4)")
+        ->delimiter(',')
+        ->type_name("NXxNY[,...]");
+    programs::add_options(app, options, "or a line: bottom, top");
+    for (std::size_t k = 0; k < 4; ++k)
+        app.add_option("--corner-" + std::to_string(k + 1), corners[k],
+                       "what collocation imposes at corner " + std::to_string(k + 1) + " (default " +
+                           corners[k] + ")" +
+                           (k == 0 || k == 2 ? "; all: each pair that the paper compares" : ""))
+            ->type_name("A,B");
+
+    return programs::run(app, argc, argv, options.threads, options.output, [&] {
+        const auto cases = programs::cases(options, plate::E, plate::penalty);
+        const std::vector<plate::Corners> choices = choices_of(corners);
+        programs::FieldFile field(options.field);
+        report::Table table;
+        table.comments = {
+            "Batra and Zhang (2008), Section 4.1: a plate under shear; lengths in m, stresses in Pa",
+            "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 "
+            "of "
+            "(4.4), dn the difference of the norms, nd the norm of the difference"};
+        table.columns = programs::case_columns();
+        for (const char* name : {"nx", "ny", "corner_1", "corner_2", "corner_3", "corner_4"})
+            table.columns.push_back({name});
+        const bool states = !options.states.empty();
+        const auto results = states ? programs::state_columns()
+                                    : std::vector<report::ColumnHead>{{"log_error_dn", {1e-5, 1e-5}},
+                                                                      {"log_error_nd", {1e-5, 1e-5}},
+                                                                      {"max_error_u2_percent", {1e-5, 1e-6}}};
+        table.columns.insert(table.columns.end(), results.begin(), results.end());
+        if (options.seconds) programs::add_cost_columns(table);
+
+        programs::Progress progress(cases.size() * grids.size() * choices.size(), std::cerr,
+                                    isatty(STDERR_FILENO) != 0);
+        for (const programs::ExampleCase& of : cases)
+            for (const std::string& text : grids)
+                for (const plate::Corners& corner : choices) {
+                    const bool strong = of.how.method == example_problems::Method::strong;
+                    progress.step();
+                    if (!strong && &corner != &choices.front()) continue;
+                    const auto [nx, ny] = programs::pair_of("--particles", text);
+                    const Problem problem = plate::problem(of.material, corner);
+                    const Cloud<2> cloud(plate::grid(nx, ny));
+                    programs::Cost cost;
+                    const example_problems::Solution solution =
+                        programs::solved(problem, cloud, of.how, cost);
+                    const programs::Solved solved{problem, cloud, solution};
+                    field.add(of, solved);
+
+                    std::vector<report::Cell> row = programs::case_cells(of);
+                    row[1] = static_cast<long>(cloud.size());
+                    row.insert(row.end(), {nx, ny});
+                    for (const Pair& pair : corner)
+                        row.push_back(strong ? report::Cell(pair[0] + " " + pair[1]) : report::Cell());
+                    if (states) {
+                        programs::add_states(table, row, solved,
+                                             places(options.states, options.points, cloud));
+                        continue;
+                    }
+                    const auto [dn, nd] =
+                        example_problems::errors(plate::mesh(nx, ny), cloud, solution, problem);
+                    row.insert(row.end(), {dn, nd, plate::largest_error_u2(cloud, solution, problem)});
+                    if (options.seconds) programs::add_cost(row, cost);
+                    table.rows.push_back(std::move(row));
+                }
+        field.write();
+        return table;
+    });
+}
