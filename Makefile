@@ -27,7 +27,7 @@ PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test plate hole choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp)
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp src/programs/formulations.cpp)
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 
@@ -62,6 +62,7 @@ batra2008/figure_19        = $(bin)/hole --states x2-axis --layout graded-686-21
 batra2008/figure_20        = $(bin)/hole --states x2-axis --layout graded-686-21
 batra2008/layouts          = $(bin)/hole --radius 0.25,0.3,0.35,0.4,0.5 --draws 4 \
                              --layout graded-188-11,polar-11x17,graded-686-21,polar-21x33
+batra2008/claims           = $(bin)/claims --paper batra2008
 
 # The names of the variables above are the list of tables.
 tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
@@ -162,6 +163,8 @@ endif
 program_of = $(firstword $($(1:data/%.csv=%)))
 $(foreach table,$(tables),$(eval $(table) $(table:data/%=$(BUILD)/verify/%): $(call program_of,$(table))))
 $(filter %/claims.csv,$(tables) $(tables:data/%=$(BUILD)/verify/%)): paper/claims.csv paper/papers.csv
+# The claims about the hole are decided on the family of layouts.
+data/batra2008/claims.csv $(BUILD)/verify/batra2008/claims.csv: data/batra2008/layouts.csv
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	$($*) --output $@

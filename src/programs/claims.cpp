@@ -1,4 +1,5 @@
 #include "asprone2010/claims.hpp"
+#include "batra2008/claims.hpp"
 
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ using report::Paper;
 std::vector<Ledger> ledgers() {
     return {
         asprone2010::claims::ledger(),
+        batra2008::claims::ledger(),
     };
 }
 

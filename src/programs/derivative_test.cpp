@@ -1,5 +1,6 @@
 #include "asprone2010/section_5_1_derivative_test.hpp"
 
+#include "programs/formulations.hpp"
 #include "programs/options.hpp"
 
 int main(int argc, char** argv) {
@@ -26,7 +27,7 @@ int main(int argc, char** argv) {
                          {"error_second_interior", {1e-6, 2e-10}}};
         programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
             const auto [first, second, first_interior, second_interior] = derivative_test::errors(
-                formulation_named<double>(of.formulation), programs::discretise(options, of),
+                programs::formulation_named(of.formulation), programs::discretise(options, of),
                 derivative_test::exponential<double>());
             const auto cell = [](const std::optional<double>& error) {
                 return error ? report::Cell(*error) : report::Cell();

@@ -10,6 +10,7 @@
 
 #include "particles/errors.hpp"
 #include "particles/operators.hpp"
+#include "programs/formulations.hpp"
 #include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
@@ -27,7 +28,7 @@ constexpr unsigned long largest_seed = 4294967295UL;
 
 std::vector<std::string> known_formulations(const std::vector<std::string>& extra) {
     std::vector<std::string> names;
-    for (const auto& formulation : asprone2010::formulations<double>()) names.emplace_back(formulation.name);
+    for (const auto& formulation : formulations()) names.emplace_back(formulation.name);
     names.insert(names.end(), extra.begin(), extra.end());
     return names;
 }
@@ -171,7 +172,7 @@ void tabulate(report::Table& table, const Options& options,
 std::vector<std::string> described(const Options& options) {
     std::string equations;
     const auto& wanted = options.formulations;
-    for (const auto& formulation : asprone2010::formulations<double>()) {
+    for (const auto& formulation : formulations()) {
         const std::string name(formulation.name);
         if (wanted != std::vector<std::string>{"all"} &&
             std::find(wanted.begin(), wanted.end(), name) == wanted.end())

@@ -1,5 +1,6 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 
+#include "programs/formulations.hpp"
 #include "programs/options.hpp"
 
 int main(int argc, char** argv) {
@@ -27,8 +28,8 @@ int main(int argc, char** argv) {
         if (!end.empty()) table.comments.push_back("derivative at x = 1 by " + end);
         table.columns = {{"error_displacement", {1e-6, 5e-10}}};
         programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
-            return {static_test::error(formulation_named<double>(of.formulation),
-                                       formulation_named<double>(end.empty() ? of.formulation : end),
+            return {static_test::error(programs::formulation_named(of.formulation),
+                                       programs::formulation_named(end.empty() ? of.formulation : end),
                                        programs::discretise(options, of), static_test::exponential_load())};
         });
         return table;

@@ -1,5 +1,6 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
+#include "programs/formulations.hpp"
 #include "programs/options.hpp"
 
 int main(int argc, char** argv) {
@@ -43,7 +44,7 @@ int main(int argc, char** argv) {
                     ? vibration_test::finite_element_frequencies(discrete.line, Mass::lumped)
                 : of.formulation == "fem_consistent"
                     ? vibration_test::finite_element_frequencies(discrete.line, Mass::consistent)
-                    : vibration_test::frequencies(formulation_named<double>(of.formulation), discrete);
+                    : vibration_test::frequencies(programs::formulation_named(of.formulation), discrete);
             for (std::size_t k = 0; k < frequencies.size(); ++k) {
                 const auto n = static_cast<Index>(k + 1);
                 const double exact = vibration_test::exact_frequency(n);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "asprone2010/formulations.hpp"
+
+namespace programs {
+
+/// The formulations of asprone2010 and, as an eighth, the SSPH basis of batra2008 in one dimension, "ssph": what the three
+/// numerical tests can compare.
+const std::vector<asprone2010::Formulation<double>>& formulations();
+
+/// \throws particles::InvalidInput for a name that no formulation has
+const asprone2010::Formulation<double>& formulation_named(std::string_view wanted);
+
+}  // namespace programs
