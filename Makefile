@@ -63,6 +63,7 @@ batra2008/figure_20        = $(bin)/hole --states x2-axis --layout graded-686-21
 batra2008/layouts          = $(bin)/hole --radius 0.25,0.3,0.35,0.4,0.5 --draws 4 \
                              --layout graded-188-11,polar-11x17,graded-686-21,polar-21x33
 batra2008/claims           = $(bin)/claims --paper batra2008
+batra2008/choices          = $(bin)/choices --paper batra2008
 
 # The names of the variables above are the list of tables.
 tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
@@ -70,7 +71,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data figures check claims doc check-doc verify clean
+.PHONY: help setup build data timings figures check claims doc check-doc verify clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -93,6 +94,14 @@ setup: ## install the Debian packages that are missing; all, or what the other t
 build: $(addprefix $(BUILD)/bin/,$(programs)) ## compile the programs into build/bin
 
 data: $(data) ## compute the tables of the figures into data/
+
+timings: $(bin)/plate ## measure what the methods cost on this machine, into data/batra2008/seconds.csv
+	@for run in "strong 16x4,31x7,61x13,91x19,201x41,401x81,706x142" "weak1 16x4,31x7,61x13,91x19,201x41" \
+	           "weak2 16x4,31x7,61x13,91x19,201x41"; do
+	    set -- $$run
+	    env -u OPENBLAS_CORETYPE $(bin)/plate --method $$1 --particles $$2 --scaling 4 --seconds
+	done | awk '!/^(#|method)/ || !seen[$$0]++' > $(BUILD)/seconds.csv
+	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv
 
 figures: $(figures) ## draw the figures of the paper into figures/
 
@@ -145,7 +154,8 @@ $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
 
-$(bin)/plate $(bin)/hole: $(addprefix $(BUILD)/src/,programs/example_problems.o batra2008/section_4_example_problems.o)
+$(bin)/plate $(bin)/hole: $(BUILD)/src/programs/example_problems.o
+$(bin)/plate $(bin)/hole $(bin)/choices: $(BUILD)/src/batra2008/section_4_example_problems.o
 $(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=src/%/*.cpp)))
 $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)

@@ -298,6 +298,23 @@ class Basis {
         return near_.W * sum(factors_.solve(Vector::Unit(I)) / unit(I));
     }
 
+    /// All rows of K at once, \eq{B2.11}: a column here for each entry of Q, by substitution with the triangular factors of C
+    /// for all particles together.
+    [[nodiscard]] Eigen::Array<Scalar, Eigen::Dynamic, n> K() const {
+        const auto& L = factors_.matrixLLT();
+        Eigen::Array<Scalar, Eigen::Dynamic, n> all = D<Scalar, n>(H_, near_.W);
+        for (Index I = 0; I < n; ++I) {
+            for (Index J = 0; J < I; ++J) all.col(I) -= L(I, J) * all.col(J);
+            all.col(I) /= L(I, I);
+        }
+        for (Index I = n - 1; I >= 0; --I) {
+            for (Index J = I + 1; J < n; ++J) all.col(I) -= L(J, I) * all.col(J);
+            all.col(I) /= L(I, I);
+        }
+        for (Index I = 1; I < n; ++I) all.col(I) /= unit(I);
+        return all;
+    }
+
     /// The derivative of a row of K with respect to the place, exactly; h stays. From \f$C\,K = D\f$ follows
     /// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values alone.
     /// \return weights [1/length to the order of the derivative + 1]
@@ -448,7 +465,7 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h) {
-    return basis_at<m>(cloud, kernel, x, h, cloud.within(x, kernel.rho() * h));
+    return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h));
 }
 
 }  // namespace ssph_basis

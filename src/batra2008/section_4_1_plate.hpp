@@ -18,15 +18,15 @@ namespace batra2008 {
 /// its Table 2 corner 1 alone; 3 and 4 else keep both displacements, 1 and 2 take σ11 = σ22 = 0. The largest error of 19.51 % belongs
 /// to these, although the text announces σ11 = σ12 = 0 for all that follows Table 2.
 ///
-/// \image html figure_4.svg "The plate as it deforms, displacements a hundred times enlarged, and the stress in it."
-/// \image html figure_5.svg "Displacement of the bottom edge."
-/// \image html figure_6.svg "Axial stress along the top edge."
-/// \image html figure_7.svg "The same displacement where Poisson's ratio is nearly one half."
-/// \image html figure_8.svg "Error against the number of Gauss points."
-/// \image html figure_9.svg "Error against the scaling factor."
-/// \image html figure_10.svg "Monomials of degree 1 and 2."
-/// \image html figure_11.svg "Finer grids."
-/// \image html figure_12.svg "Convergence."
+/// \image html batra2008_figure_4.svg "The plate as it deforms, displacements a hundred times enlarged, and the stress in it."
+/// \image html batra2008_figure_5.svg "Displacement of the bottom edge."
+/// \image html batra2008_figure_6.svg "Axial stress along the top edge."
+/// \image html batra2008_figure_7.svg "The same displacement where Poisson's ratio is nearly one half."
+/// \image html batra2008_figure_8.svg "Error against the number of Gauss points."
+/// \image html batra2008_figure_9.svg "Error against the scaling factor."
+/// \image html batra2008_figure_10.svg "Monomials of degree 1 and 2."
+/// \image html batra2008_figure_11.svg "Finer grids."
+/// \image html batra2008_figure_12.svg "Convergence."
 ///
 /// Measured claims of this section: \claim{B01}, \claim{B02}, \claim{B03}, \claim{B13}.
 namespace plate {

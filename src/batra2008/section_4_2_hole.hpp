@@ -21,13 +21,13 @@ namespace batra2008 {
 /// A corner takes, component by component, the displacement where one of its sides gives it, and else the traction of the side
 /// that faces that component.
 ///
-/// \image html figure_14.svg "Boundaries and 188 particles."
-/// \image html figure_15.svg "The exact displacements, and what the three methods deviate from them."
-/// \image html figure_16.svg "Displacement along the x2-axis, 188 particles."
-/// \image html figure_17.svg "Stress along the x2-axis, 188 particles."
-/// \image html figure_18.svg "686 particles."
-/// \image html figure_19.svg "Displacement along the x2-axis, 686 particles."
-/// \image html figure_20.svg "Stress along the x2-axis, 686 particles."
+/// \image html batra2008_figure_14.svg "Boundaries and 188 particles."
+/// \image html batra2008_figure_15.svg "The exact displacements, and what the three methods deviate from them."
+/// \image html batra2008_figure_16.svg "Displacement along the x2-axis, 188 particles."
+/// \image html batra2008_figure_17.svg "Stress along the x2-axis, 188 particles."
+/// \image html batra2008_figure_18.svg "686 particles."
+/// \image html batra2008_figure_19.svg "Displacement along the x2-axis, 686 particles."
+/// \image html batra2008_figure_20.svg "Stress along the x2-axis, 686 particles."
 ///
 /// Measured claims of this section: \claim{B17}, \claim{B18}.
 namespace hole {

@@ -49,11 +49,17 @@ class Cloud {
     [[nodiscard]] const Column<double>& h() const { return h_; }
     [[nodiscard]] Index size() const { return x_.cols(); }
 
-    /// The particles nearer to a place than `reach`, in increasing order.
-    [[nodiscard]] std::vector<int> within(const Point<dim>& place, double reach) const {
+    /// The particles nearer to a place than `reach`, in the order in which they are found, the same each time.
+    [[nodiscard]] std::vector<int> around(const Point<dim>& place, double reach) const {
         std::vector<int> found;
         found.reserve(64);
         cells_.for_each_within(place, reach, [&](int j, double) { found.push_back(j); });
+        return found;
+    }
+
+    /// The same in increasing order.
+    [[nodiscard]] std::vector<int> within(const Point<dim>& place, double reach) const {
+        std::vector<int> found = around(place, reach);
         std::sort(found.begin(), found.end());
         return found;
     }
@@ -103,33 +109,29 @@ class Cloud {
 /// \param among the particles that come into question
 template <int dim>
 Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
-                               const Point<dim>& place, double h, const std::vector<int>& among) {
+                               const Point<dim>& place, double h, std::vector<int> among) {
     const double edge = kernel.rho() * (1 - 1e-8), per_h = 1 / h;
     const auto most = static_cast<Index>(among.size());
     Eigen::Array<double, Eigen::Dynamic, dim> s(most, dim);
     Column<double> q(most);
-    Surroundings<dim> near;
-    near.edge = kernel.edge();
-    near.particle.resize(among.size());
     Index count = 0;
     for (const int j : among) {
         const Point<dim> offset = (cloud.x().col(j) - place) * per_h;
-        s.row(count) = offset.transpose();
+        for (Index axis = 0; axis < dim; ++axis) s(count, axis) = offset[axis];
         q[count] = offset.squaredNorm();
-        near.particle[static_cast<std::size_t>(count)] = j;
+        among[static_cast<std::size_t>(count)] = j;
         count += q[count] < edge * edge ? 1 : 0;
     }
-    near.s = s.topRows(count);
-    near.W = kernel.W(q.head(count));
-    near.particle.resize(static_cast<std::size_t>(count));
-    return near;
+    among.resize(static_cast<std::size_t>(count));
+    if (count < most) s.conservativeResize(count, Eigen::NoChange);
+    return {std::move(s), kernel.W(q.head(count)), kernel.edge(), std::move(among)};
 }
 
 /// The same, found in the cloud.
 template <int dim>
 Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
                                const Point<dim>& place, double h) {
-    return surroundings(cloud, kernel, place, h, cloud.within(place, kernel.rho() * h));
+    return surroundings(cloud, kernel, place, h, cloud.around(place, kernel.rho() * h));
 }
 
 }  // namespace particles

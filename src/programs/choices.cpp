@@ -1,10 +1,29 @@
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "asprone2010/section_5_3_vibration_test.hpp"
+#include "batra2008/section_4_1_plate.hpp"
+#include "batra2008/section_4_2_hole.hpp"
 #include "programs/options.hpp"
 #include "report/statistics.hpp"
 
 namespace {
+
+/// A table of choices, and a row of it: the same quantity with the one and with the other choice.
+report::Table table_of_choices(const std::string& about) {
+    report::Table table;
+    table.comments = {about + ": what the print leaves open, and what another choice changes",
+                      "a row: the same quantity with the one and with the other choice"};
+    table.columns = {{"choice"},
+                     {"one"},
+                     {"other"},
+                     {"quantity"},
+                     {"formulation"},
+                     {"with_one", {1e-4, 1e-9}},
+                     {"with_other", {1e-4, 1e-9}}};
+    return table;
+}
+
+namespace of_asprone2010 {
 
 using namespace asprone2010;
 using numerical_tests::Discretisation;
@@ -88,17 +107,7 @@ double first_ratio_by_integrals(Volumes volumes) {
 }
 
 report::Table measured() {
-    report::Table table;
-    table.comments = {
-        "Asprone et al. (2010), Section 5: what the print leaves open, and what another choice changes",
-        "a row: the same quantity with the one and with the other choice"};
-    table.columns = {{"choice"},
-                     {"one"},
-                     {"other"},
-                     {"quantity"},
-                     {"formulation"},
-                     {"with_one", {1e-4, 1e-9}},
-                     {"with_other", {1e-4, 1e-9}}};
+    report::Table table = table_of_choices("Asprone et al. (2010), Section 5");
     const auto add = [&](const char* choice, const char* one, const char* other, const char* quantity,
                          const Formulation<double>& formulation, double with_one, double with_other) {
         table.rows.push_back({std::string(choice), std::string(one), std::string(other),
@@ -153,14 +162,125 @@ report::Table measured() {
     return table;
 }
 
+}  // namespace of_asprone2010
+
+namespace of_batra2008 {
+
+using namespace batra2008;
+using elastostatics::Plane;
+using example_problems::Discretisation;
+using example_problems::Errors;
+using example_problems::Method;
+
+constexpr std::array<Method, 3> methods{Method::strong, Method::weak1, Method::weak2};
+constexpr std::array<Method, 2> weak{Method::weak1, Method::weak2};
+
+/// The plate with 16 × 4 particles.
+struct Plate {
+    plate::Corners corners = plate::default_corners();
+    double penalty = 1;  ///< in units of the print's
+    Index gauss = 10;
+};
+
+struct Results {
+    Errors errors;
+    double field,
+        unknowns;  ///< largest error of u2 at the bottom in percent, by the SSPH field and by the unknowns
+};
+
+Results solved(const Plate& of, Method method) {
+    const elastostatics::Material material{plate::E, plate::nu};
+    const Problem problem = plate::problem(material, of.corners);
+    const Cloud<2> cloud(plate::grid(16, 4));
+    const auto solution = example_problems::solve(
+        problem, cloud, {method, 3, 2, of.penalty * plate::penalty(material), 1, of.gauss});
+    double error = 0, largest = 0;
+    for (Index I = 0; I < cloud.size(); I += 4) {
+        const double exact = problem.exact.u(cloud.x().col(I))[1];
+        error = std::max(error, std::abs(solution.u[2 * I + 1] - exact));
+        largest = std::max(largest, std::abs(exact));
+    }
+    return {example_problems::errors(plate::mesh(16, 4), cloud, solution, problem),
+            plate::largest_error_u2(cloud, solution, problem), 100 * error / largest};
+}
+
+Errors around_hole(const Points<2>& x, Method method, const hole::Shape& shape,
+                   const std::vector<elastostatics::Corner>& corners = {}) {
+    Problem problem = hole::problem({hole::E, hole::nu, Plane::strain}, shape);
+    problem.corners = corners;
+    const Cloud<2> cloud(x);
+    const auto solution =
+        example_problems::solve(problem, cloud, {method, 4, 2, hole::penalty(problem.material)});
+    return example_problems::errors(hole::mesh(shape), cloud, solution, problem);
+}
+
+report::Table measured() {
+    report::Table table = table_of_choices("Batra and Zhang (2008), Section 4");
+    const auto add = [&](const char* choice, const char* one, const char* other, const char* quantity,
+                         Method method, double with_one, double with_other) {
+        table.rows.push_back({std::string(choice), std::string(one), std::string(other),
+                              std::string(quantity), example_problems::name(method), with_one, with_other});
+    };
+    for (const Method method : methods) {
+        const Results of = solved({}, method);
+        add("error norm", "difference of the norms (dn)", "norm of the difference (nd)", "log E, plate",
+            method, of.errors.log_dn, of.errors.log_nd);
+    }
+    for (const Method method : methods) {
+        const Results of = solved({}, method);
+        add("displacement at a particle", "SSPH field", "the unknown itself",
+            "largest error of u2 in percent, plate", method, of.field, of.unknowns);
+    }
+    Plate tops;
+    tops.corners[0] = {"s11", "s12"};
+    add("conditions at corner 1", "s11, s22", "s11, s12", "log E dn, plate", Method::strong,
+        solved({}, Method::strong).errors.log_dn, solved(tops, Method::strong).errors.log_dn);
+    add("conditions at corner 1", "s11, s22", "s11, s12", "largest error of u2 in percent, plate",
+        Method::strong, solved({}, Method::strong).field, solved(tops, Method::strong).field);
+    for (const Method method : weak)
+        add("Gauss points", "10", "32", "log E dn, plate", method, solved({}, method).errors.log_dn,
+            solved({.gauss = 32}, method).errors.log_dn);
+    for (const Method method : weak)
+        add("penalty", "the print's", "a hundredth of it", "log E dn, plate", method,
+            solved({}, method).errors.log_dn, solved({.penalty = 0.01}, method).errors.log_dn);
+    for (const Method method : weak)
+        add("penalty", "the print's", "a hundred times it", "log E dn, plate", method,
+            solved({}, method).errors.log_dn, solved({.penalty = 100}, method).errors.log_dn);
+
+    const hole::Shape shape;
+    const Points<2> reference = hole::graded_layout(shape, 188, 11, 1);
+    for (const Method method : methods)
+        add("layout around the hole", "graded-188-11, draw 1", "draw 2", "log E dn", method,
+            around_hole(reference, method, shape).log_dn,
+            around_hole(hole::graded_layout(shape, 188, 11, 2), method, shape).log_dn);
+    for (const Method method : methods)
+        add("layout around the hole", "graded-188-11, draw 1", "polar-11x17", "log E dn", method,
+            around_hole(reference, method, shape).log_dn,
+            around_hole(hole::polar_layout(shape, 11, 17), method, shape).log_dn);
+    for (const Method method : methods)
+        add("radius of the hole", "0.3 m", "0.4 m", "log E dn, polar-11x17", method,
+            around_hole(hole::polar_layout(shape, 11, 17), method, shape).log_dn,
+            around_hole(hole::polar_layout({0.4, 3}, 11, 17), method, {0.4, 3}).log_dn);
+    const elastostatics::Corner outer{{3, 3}, {plate::condition_named("s11"), plate::condition_named("s12")}};
+    add("conditions at the outer corner of the quarter", "s11, s22", "s11, s12", "log E dn, polar-11x17",
+        Method::strong, around_hole(hole::polar_layout(shape, 11, 17), Method::strong, shape).log_dn,
+        around_hole(hole::polar_layout(shape, 11, 17), Method::strong, shape, {outer}).log_dn);
+    return table;
+}
+
+}  // namespace of_batra2008
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Measures what the choices change that the print of Asprone et al. (2010) leaves open.",
-                 "choices");
-    app.footer("Example: choices --output /tmp/choices.csv");
-    programs::Options options;
-    app.add_option("--output", options.output, "CSV file to write (default: standard output)")
-        ->type_name("FILE");
-    return programs::run(app, argc, argv, options, measured);
+    CLI::App app("Measures what the choices change that the print of a paper leaves open.", "choices");
+    app.footer("Example: choices --paper batra2008 --output /tmp/choices.csv");
+    std::string paper = "asprone2010", output;
+    app.add_option("--paper", paper, "asprone2010 (default) or batra2008")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"asprone2010", "batra2008"}));
+    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+    return programs::run(app, argc, argv, 0, output, [&] {
+        return paper == "batra2008" ? of_batra2008::measured() : of_asprone2010::measured();
+    });
 }

@@ -1,11 +1,10 @@
 #include "programs/example_problems.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 #include "programs/options.hpp"
@@ -48,6 +47,17 @@ std::vector<double> expanded(const std::string& option, const std::string& part)
     for (long k = 0; k <= steps; ++k)  // rounded, so that 2:0.1:4 says 2.3 and not 2.3000000000000003
         all.push_back(std::round((ends[0] + static_cast<double>(k) * ends[1]) * 1e12) / 1e12);
     return all;
+}
+
+/// Largest memory of this process since forget_peak(), in MB; zero where the system does not say.
+double peak() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (double kilobytes = 0; word == "VmHWM:" && status >> kilobytes) return kilobytes / 1024;
+    return 0;
+}
+void forget_peak() {
+    std::ofstream("/proc/self/clear_refs") << "5";
 }
 
 }  // namespace
@@ -175,6 +185,7 @@ std::vector<Cell> case_cells(const ExampleCase& of) {
 example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
                                   const example_problems::Discretisation& how, Cost& cost) {
     elastostatics::check_inside(cloud, problem);
+    forget_peak();
     const auto start = std::chrono::steady_clock::now();
     System system = example_problems::system(problem, cloud, how);
     const auto assembled = std::chrono::steady_clock::now();
@@ -183,6 +194,7 @@ example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
     const auto done = std::chrono::steady_clock::now();
     cost.assembly = std::chrono::duration<double>(assembled - start).count();
     cost.solution = std::chrono::duration<double>(done - assembled).count();
+    cost.megabytes = peak();
     return solution;
 }
 
@@ -192,9 +204,7 @@ void add_cost_columns(report::Table& table) {
 }
 
 void add_cost(std::vector<Cell>& row, const Cost& cost) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    row.insert(row.end(), {cost.assembly, cost.solution, static_cast<double>(usage.ru_maxrss) / 1024});
+    row.insert(row.end(), {cost.assembly, cost.solution, cost.megabytes});
 }
 
 std::vector<report::ColumnHead> state_columns() {

@@ -48,6 +48,7 @@ std::vector<ExampleCase> cases(
 /// What a solution took.
 struct Cost {
     double assembly = 0, solution = 0;  ///< [s]
+    double megabytes = 0;               ///< most memory held meanwhile
 };
 
 /// The solution of a problem, timed.
@@ -56,7 +57,7 @@ batra2008::example_problems::Solution solved(const batra2008::Problem& problem,
                                              const batra2008::example_problems::Discretisation& how,
                                              Cost& cost);
 
-/// `--seconds`: columns of the cost, and their cells with the largest memory that the program has held so far.
+/// `--seconds`: columns of the cost, and their cells.
 void add_cost_columns(report::Table& table);
 void add_cost(std::vector<report::Cell>& row, const Cost& cost);
 
