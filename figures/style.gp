@@ -15,7 +15,7 @@ set grid linecolor rgb "#dddddd" linewidth 0.6 dashtype 1
 set rmargin at screen 0.66
 set key at screen 0.68,0.52 left center Left reverse samplen 3.5 spacing 1.25
 
-names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent"
+names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent ssph"
 title_original          = "original SPH"
 title_chen_beraun       = "Chen–Beraun"
 title_rkpm_first_order  = "RKPM, first order"
@@ -25,6 +25,7 @@ title_modified_fpm      = "modified FPM"
 title_second_order_fpm  = "second-order FPM"
 title_fem_lumped        = "linear FEM, lumped mass"
 title_fem_consistent    = "linear FEM, consistent mass"
+title_ssph              = "SSPH, second degree"
 title(name) = value("title_" . name)
 
 # The style of a formulation is its place in the list.
@@ -38,6 +39,7 @@ set style line 6 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize
 set style line 7 linecolor rgb "#005a3c" dashtype 1       pointtype 7  pointsize 0.6 linewidth 2.0
 set style line 8 linecolor rgb "#555555" dashtype 1       pointtype 2  pointsize 0.7 linewidth 1.3
 set style line 9 linecolor rgb "#888888" dashtype (6,3)   pointtype 3  pointsize 0.7 linewidth 1.2
+set style line 10 linecolor rgb "#c0392b" dashtype (10,3,2,3,2,3) pointtype 14 pointsize 0.8 linewidth 1.5
 
 # Rows of one formulation; others are passed over. Curves that overlap carry their symbols at different rows, so that each
 # shows: marked(name, row, every) picks them.

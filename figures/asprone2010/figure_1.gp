@@ -1,9 +1,10 @@
 # Figure 1 of Asprone et al. (2010): infinity norm of the error of the second derivative of exp against the number of
-# particles. Beyond the print: FPM applied twice (end of Section 3.4), and the small panel, in which the error over δ² shows
+# particles. Beyond the print: FPM applied twice (end of Section 3.4), the SSPH basis
+# of Batra and Zhang (2008), and the small panel, in which the error over δ² shows
 # how far the random particles scatter: it is level where the order is two.
 load "figures/style.gp"
 if (!exists("table")) table = "data/asprone2010/figure_1.csv"
-curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm second_order_fpm"
+curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm"
 uniform(name) = of(name) * (column("perturbation") == 0 ? 1 : NaN)
 moved(name) = of(name) * (column("perturbation") > 0 ? 1 : NaN)
 set logscale x

@@ -19,7 +19,7 @@ set title "uniform particles"
 set ylabel "max |u − u_{exact}|"
 eval(triangle(1, 30, 3e-3, 2.5, 1))
 eval(triangle(2, 30, 5e-6, 2.5, 2))
-curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm second_order_fpm"
+curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm"
 plot for [name in curves] left using (of(name) * column("particles")):"error_displacement" \
          with linespoints linestyle style(name) pointinterval 4 notitle
 

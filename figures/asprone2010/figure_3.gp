@@ -1,5 +1,5 @@
 # Figure 3 of Asprone et al. (2010): frequencies over exact frequencies for 100 particles. Beyond the print: FPM applied twice,
-# and the consistent mass matrix of the finite elements.
+# the SSPH basis of Batra and Zhang (2008), and the consistent mass matrix of the finite elements.
 load "figures/style.gp"
 # Another table can be drawn: gnuplot -e "table='FILE'; output='FILE'"; what is said of the paper's case is then left out.
 if (exists("table")) {
@@ -8,13 +8,13 @@ if (exists("table")) {
     table = "data/asprone2010/figure_3.csv"
     set title "Vibration test: normalised spectrum, 100 particles"
     set label "original, RKPM of first order and FPM overlap" at 0.10,0.30 textcolor rgb "#444444" font ",11"
-    set label "Chen–Beraun, modified and second-order FPM overlap" at 0.06,0.72 textcolor rgb "#444444" font ",11"
+    set label "Chen–Beraun, modified and second-order FPM overlap" at 0.44,0.98 textcolor rgb "#444444" font ",11"
 }
 set xrange [0:1]
 set yrange [0:1.3]
 set xlabel "mode n / number of particles N"
 set ylabel "ω_n / (π n)"
-curves = "fem_consistent fem_lumped chen_beraun modified_fpm second_order_fpm rkpm_second_order original rkpm_first_order fpm"
+curves = "fem_consistent fem_lumped chen_beraun modified_fpm second_order_fpm rkpm_second_order original rkpm_first_order fpm ssph"
 plot for [name in curves] table using (of(name) * column("mode") / column("particles")):"ratio" \
          with lines linestyle style(name) notitle, \
      for [name in curves] table using (of(name) * marked(name, column("mode"), 16) * column("mode") / column("particles")):"ratio" \

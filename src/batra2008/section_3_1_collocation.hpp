@@ -26,9 +26,9 @@ struct System {
 /// | \f$K'_{IJ}\f$ | `Block` | two rows of the system, a 2 × 2 block for each neighbour |
 ///
 /// Departures from the print: entry (2, 2) of the matrix below \eq{B3.14} has ν0 n2 K3J; \eq{B3.3} and the symmetry of the stress
-/// ask for n2 K3J, and the plate's error is 1800 % as printed (\claim{B23}). The body force is zero there and kept here.
+/// ask for n2 K3J, and with the entry as printed the plate's error is a hundred times as large (\claim{B23b}). The body force is zero there and kept here.
 ///
-/// Measured claims of this section: \claim{B23}, \claim{B22}.
+/// Measured claims of this section: \claim{B23a}, \claim{B23b}.
 namespace collocation {
 
 /// Two rows of the system: for each neighbour, how its displacement enters.
