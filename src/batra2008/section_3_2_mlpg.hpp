@@ -211,7 +211,7 @@ inline collocation::Block times_T(const Eigen::Matrix<double, 2, 3>& A, const Gr
 /// What the print leaves to choose of a weak form.
 struct WeakForm {
     Gradient gradient = Gradient::own_basis;
-    double penalty;           ///< α
+    double penalty = 0;       ///< α [force/length³]
     double test_scaling = 1;  ///< ρ of the test function
     Index gauss = 10;         ///< \f$n_G\f$
 };

@@ -34,8 +34,8 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Discretisatio
 
 Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how) {
     elastostatics::check_inside(cloud, problem);
-    System of = system(problem, cloud, how);
-    return {how, problem.material, solvers::solve_sparse(std::move(of.A), std::move(of.b))};
+    const System of = system(problem, cloud, how);
+    return {how, problem.material, solvers::solve_sparse(of.A, of.b)};
 }
 
 State state_at(const Cloud<2>& cloud, const Solution& of, const Point<2>& x) {

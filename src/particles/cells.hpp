@@ -36,7 +36,7 @@ class Cells {
         std::vector<std::size_t> cube(static_cast<std::size_t>(x.cols()));
         first_.assign(all + 1, 0);
         for (Index j = 0; j < x.cols(); ++j) {
-            std::array<Index, dim> at;
+            std::array<Index, dim> at{};
             for (int axis = 0; axis < dim; ++axis) at[axis] = clamped(x(axis, j), axis);
             cube[static_cast<std::size_t>(j)] = number(at);
             ++first_[number(at) + 1];
@@ -58,7 +58,7 @@ class Cells {
     /// Calls `visit(j, distance²)` for each particle j that is nearer to a place than `reach`.
     template <class Visit>
     void for_each_within(const Point<dim>& place, double reach, const Visit& visit) const {
-        std::array<Index, dim> low, high;
+        std::array<Index, dim> low{}, high{};
         for (int axis = 0; axis < dim; ++axis) {
             low[axis] = clamped(place[axis] - reach, axis);
             high[axis] = clamped(place[axis] + reach, axis);

@@ -168,7 +168,6 @@ namespace of_batra2008 {
 
 using namespace batra2008;
 using elastostatics::Plane;
-using example_problems::Discretisation;
 using example_problems::Errors;
 using example_problems::Method;
 

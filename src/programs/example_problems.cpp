@@ -187,10 +187,9 @@ example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
     elastostatics::check_inside(cloud, problem);
     forget_peak();
     const auto start = std::chrono::steady_clock::now();
-    System system = example_problems::system(problem, cloud, how);
+    const System system = example_problems::system(problem, cloud, how);
     const auto assembled = std::chrono::steady_clock::now();
-    example_problems::Solution solution{how, problem.material,
-                                        solvers::solve_sparse(std::move(system.A), std::move(system.b))};
+    example_problems::Solution solution{how, problem.material, solvers::solve_sparse(system.A, system.b)};
     const auto done = std::chrono::steady_clock::now();
     cost.assembly = std::chrono::duration<double>(assembled - start).count();
     cost.solution = std::chrono::duration<double>(done - assembled).count();
@@ -219,11 +218,11 @@ std::vector<report::ColumnHead> state_columns() {
 
 void add_states(report::Table& table, const std::vector<Cell>& of, const Solved& solved,
                 const std::vector<Point<2>>& places) {
-    const auto& [problem, cloud, solution] = solved;
+    const Problem& problem = solved.problem;
     std::vector<example_problems::State> states(places.size());
     particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
-        states[at] = example_problems::state_at(cloud, solution, places[at]);
+        states[at] = example_problems::state_at(solved.cloud, solved.solution, places[at]);
     });
     for (std::size_t k = 0; k < places.size(); ++k) {
         std::vector<Cell> row = of;

@@ -62,31 +62,41 @@ inline void set_row(SparseRows& A, Eigen::Index row, const std::vector<int>& par
 /// Solves A x = b by a sparse factorisation with row exchanges, after the rows are scaled to a largest entry of 1: rows of
 /// boundary conditions and of equilibrium differ by many powers of ten, and unscaled ruin the choice of pivots.
 /// \throws particles::FailedComputation where A is singular to working precision or the residual stays large
-inline Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b) {
+inline Eigen::VectorXd solve_sparse(const SparseRows& A, const Eigen::VectorXd& b) {
     const auto refuse = [&](const std::string& why) {
         throw particles::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
                                            why + "; take another scaling factor or other particles");
     };
+    Eigen::VectorXd scale(A.rows());
     particles::for_each_index(A.rows(), [&](Eigen::Index row) {
         double largest = 0;
         for (SparseRows::InnerIterator entry(A, row); entry; ++entry)
             largest = std::max(largest, std::abs(entry.value()));
-        for (SparseRows::InnerIterator entry(A, row); entry; ++entry) entry.valueRef() /= largest;
-        b[row] /= largest;
+        scale[row] = 1 / largest;
     });
-    if (!b.allFinite() || !Eigen::Map<const Eigen::ArrayXd>(A.valuePtr(), A.nonZeros()).allFinite())
+    const Eigen::SparseMatrix<double> scaled = scale.asDiagonal() * A;
+    const Eigen::VectorXd load = scale.cwiseProduct(b);
+    if (!load.allFinite() ||
+        !Eigen::Map<const Eigen::ArrayXd>(scaled.valuePtr(), scaled.nonZeros()).allFinite())
         refuse("has rows that are zero or not finite");
+
     Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factors;
-    factors.umfpackControl()[UMFPACK_STRATEGY] =
-        UMFPACK_STRATEGY_SYMMETRIC;  // neighbours are so mutually, or nearly
-    factors.umfpackControl()[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-    factors.umfpackControl()[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
-    const Eigen::SparseMatrix<double> columns = A;
-    factors.compute(columns);
+    auto& control = factors.umfpackControl();
+    control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // neighbours are so mutually, or nearly
+    control[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
+    control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
+    factors.compute(scaled);
     if (factors.info() != Eigen::Success) refuse("is singular");
-    const Eigen::VectorXd x = factors.solve(b);
-    const double size = Eigen::VectorXd(A.cwiseAbs() * x.cwiseAbs()).maxCoeff() + b.cwiseAbs().maxCoeff();
-    const double residual = (b - A * x).cwiseAbs().maxCoeff() / size;
+    // Nearly every vector shows that a matrix is singular; the load may be one of the few that do not.
+    const Eigen::VectorXd probe = Eigen::VectorXd::NullaryExpr(
+        A.rows(), [](Eigen::Index k) { return std::cos(static_cast<double>(k) * static_cast<double>(k)); });
+    const double growth = Eigen::VectorXd(factors.solve(probe)).cwiseAbs().maxCoeff();
+    if (!(growth < 1 / (100 * std::numeric_limits<double>::epsilon()))) refuse("is singular");
+
+    Eigen::VectorXd x = factors.solve(load);
+    const double size =
+        Eigen::VectorXd(scaled.cwiseAbs() * x.cwiseAbs()).maxCoeff() + load.cwiseAbs().maxCoeff();
+    const double residual = size == 0 ? 0 : (load - scaled * x).cwiseAbs().maxCoeff() / size;
     if (!(residual < 1e-12))
         refuse("was not solved (relative residual " + particles::shown(residual, 2) + ")");
     return x;
