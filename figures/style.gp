@@ -55,3 +55,16 @@ set label %d '1' at %g,%g center offset 0,-0.7 textcolor rgb '#666666'", \
     tag, N, e, N, e * factor**order, N * factor, e, N, e, \
     tag, order, N, e * factor**(order / 2.0), \
     100 + tag, N * sqrt(factor), e)
+
+# The methods of Batra and Zhang (2008), and the exact solution.
+methods = "strong weak1 weak2"
+set style line 11 linecolor rgb "#c8501e" dashtype (8,3)  pointtype 4  pointsize 0.8 linewidth 1.5
+set style line 12 linecolor rgb "#12507b" dashtype 1      pointtype 7  pointsize 0.7 linewidth 1.8
+set style line 13 linecolor rgb "#3aa078" dashtype (3,2)  pointtype 8  pointsize 0.9 linewidth 1.6
+set style line 14 linecolor rgb "#000000" dashtype 1      pointtype 2  pointsize 0.7 linewidth 1.0
+method_style(name) = name eq "strong" ? 11 : name eq "weak1" ? 12 : name eq "weak2" ? 13 : 14
+method(name) = strcol("method") eq name ? 1 : NaN
+
+# Colours for a quantity that grows, and for one that has two signs: both grow evenly in lightness.
+sequential = "set palette defined (0 '#fdf3d8', 0.25 '#e5b58a', 0.5 '#bf7772', 0.75 '#7d4273', 1 '#2a1e4f')"
+diverging = "set palette defined (-1 '#12406b', -0.5 '#6fa2cc', 0 '#f7f7f5', 0.5 '#dd9668', 1 '#7a2a0d')"

@@ -1,0 +1,10 @@
+# Figure 9 of Batra and Zhang (2008): error norm (4.4) against the scaling factor of the kernel of the SSPH basis.
+load "figures/style.gp"
+if (!exists("table")) table = "data/batra2008/figure_9.csv"
+set title "Error against the scaling factor, 16 × 4 particles"
+set xlabel "scaling factor ρ"
+set ylabel "log_{10} E"
+set arrow from 3.5, graph 0 to 3.5, graph 1 nohead linecolor rgb "#888888" dashtype (4,4)
+set label "stable, says the print" at 3.55, graph 0.96 textcolor rgb "#666666" font ",11"
+plot for [name in methods] table using (method(name) * column("scaling")):"log_error_dn" \
+         with linespoints linestyle method_style(name) title name
