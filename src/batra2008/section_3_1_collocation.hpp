@@ -67,7 +67,7 @@ Eigen::Array<double, Eigen::Dynamic, 3> second_derivatives(const ssph_basis::Bas
     return weights;
 }
 
-/// Equilibrium at a particle, times two. \defeq{B3.12}
+/// \eq{B3.8} at a particle. \defeq{B3.12}
 /// \f[ \sum_{J=1}^{M} K'_{IJ}\,u_J = 0, \quad
 ///     K'_{IJ} = \begin{bmatrix} 2K_{4J} + (1-\nu_0)K_{5J} & \frac{1+\nu_0}{2}K_{6J}
 ///                               \\ \frac{1+\nu_0}{2}K_{6J} & (1-\nu_0)K_{4J} + 2K_{5J} \end{bmatrix} \tag{3.12} \f]
@@ -130,7 +130,7 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kerne
         const std::vector<elastostatics::Condition> conditions = elastostatics::conditions_at(problem, x);
         if (conditions.empty()) {
             const Block rows = equilibrium(basis, nu0);
-            of.b.segment<2>(2 * I) = -2 / modulus * problem.exact.b(x);
+            of.b.segment<2>(2 * I) = -problem.exact.b(x) / modulus;
             solvers::set_row(of.A, 2 * I, basis.particle(), rows.K11, rows.K12);
             solvers::set_row(of.A, 2 * I + 1, basis.particle(), rows.K21, rows.K22);
         }

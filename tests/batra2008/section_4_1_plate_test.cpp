@@ -1,0 +1,137 @@
+#include "batra2008/section_4_1_plate.hpp"
+
+#include "tests/batra2008/elastic.hpp"
+
+using namespace batra2008;
+using example_problems::Method;
+
+namespace {
+
+const elastostatics::Material material{plate::E, plate::nu};
+
+struct Result {
+    example_problems::Errors errors;
+    double error_u2;
+};
+
+Result solved(Method method, Index nx, Index ny, const plate::Corners& corners = plate::default_corners(),
+              double scaling = 3) {
+    const Problem problem = plate::problem(material, corners);
+    const Cloud<2> cloud(plate::grid(nx, ny));
+    const auto solution =
+        example_problems::solve(problem, cloud, {method, scaling, 2, plate::penalty(material)});
+    return {example_problems::errors(plate::mesh(nx, ny), cloud, solution, problem),
+            plate::largest_error_u2(cloud, solution, problem)};
+}
+
+const std::vector<Point<2>> places{{0.1, 0.03}, {0.5, 0.17}, {0.93, 0.1}};
+
+}  // namespace
+
+TEST_CASE("(4.1): the left edge is displaced, the others loaded; bottom and top are free") {
+    const Problem problem = plate::problem(material);
+    CHECK(problem.sides[3].displaced == std::array{true, true});
+    for (std::size_t side = 0; side < 3; ++side)
+        CHECK(problem.sides[side].displaced == std::array{false, false});
+    for (const double x1 : {0.0, 0.4, 1.0}) {
+        CHECK(elastostatics::traction(plate::stress({x1, 0}), {0, -1}).norm() < 1e-6 * plate::F0);
+        CHECK(elastostatics::traction(plate::stress({x1, plate::L2}), {0, 1}).norm() < 1e-6 * plate::F0);
+    }
+    CHECK(plate::stress({plate::L1, 0.1})[0] == 0);
+    CHECK(plate::stress({plate::L1, 0.1})[2] == support::relative(1.5 * plate::F0 / plate::L2, 1e-12));
+}
+
+TEST_CASE(
+    "(4.2), (4.3): the stresses follow from the displacements by Hooke's law, in plane stress and strain") {
+    for (const auto plane : {elastostatics::Plane::stress, elastostatics::Plane::strain}) {
+        const elastostatics::Material of{plate::E, plate::nu, plane};
+        for (const Point<2>& x : places) {
+            const double step = 1e-5;
+            Eigen::Matrix2d gradient;
+            for (Index axis = 0; axis < 2; ++axis) {
+                const Point<2> aside = step * Point<2>::Unit(axis);
+                gradient.col(axis) =
+                    (plate::displacement(of, x + aside) - plate::displacement(of, x - aside)) / (2 * step);
+            }
+            const Stress found = elastostatics::stress(of, elastostatics::strain(gradient));
+            CHECK((found - plate::stress(x)).norm() < 1e-6 * plate::stress(x).norm());
+        }
+    }
+}
+
+TEST_CASE("(4.3): the stresses are in equilibrium") {
+    for (const Point<2>& x : places) {
+        const double step = 1e-4;
+        Eigen::Matrix<double, 3, 2> gradient;
+        for (Index axis = 0; axis < 2; ++axis) {
+            const Point<2> aside = step * Point<2>::Unit(axis);
+            gradient.col(axis) = (plate::stress(x + aside) - plate::stress(x - aside)) / (2 * step);
+        }
+        CHECK(elastostatics::imbalance(gradient, Vector::Zero()).norm() < 1e-9 * gradient.norm());
+    }
+}
+
+TEST_CASE("(4.5): Table 1, six choices at corner 3") {
+    const std::array<double, 6> printed{-0.7097, -0.7092, -0.7094, -0.6955, -0.7020, -0.7049};
+    for (std::size_t k = 0; k < 6; ++k) {
+        plate::Corners corners = plate::default_corners();
+        corners[2] = plate::choices_at_corner_3()[k];
+        CHECK(std::abs(solved(Method::strong, 16, 4, corners).errors.log_dn - printed[k]) < 1e-4);
+    }
+}
+
+TEST_CASE("(4.6): Table 2, three choices at corner 1 on four grids") {
+    const std::array<std::array<Index, 2>, 4> grids{{{16, 4}, {31, 7}, {61, 13}, {91, 19}}};
+    const std::array<std::array<double, 3>, 4> printed{{{-0.7501, -0.6319, -0.7097},
+                                                        {-1.215, -1.146, -1.195},
+                                                        {-1.814, -1.776, -1.804},
+                                                        {-2.166, -2.140, -2.159}}};
+    for (std::size_t grid = 0; grid < 4; ++grid)
+        for (std::size_t k = 0; k < 3; ++k) {
+            plate::Corners corners = plate::default_corners();
+            corners[0] = plate::choices_at_corner_1()[k];
+            const double found =
+                solved(Method::strong, grids[grid][0], grids[grid][1], corners).errors.log_dn;
+            CHECK(std::abs(found - printed[grid][k]) < 1e-3);
+        }
+}
+
+TEST_CASE("plate: the printed errors of the three methods") {
+    const Result strong = solved(Method::strong, 16, 4), weak1 = solved(Method::weak1, 16, 4),
+                 weak2 = solved(Method::weak2, 16, 4);
+    CHECK(std::abs(strong.errors.log_dn + 0.7097) < 1e-4);
+    CHECK(std::abs(strong.error_u2 - 19.51) < 0.01);
+    CHECK(std::abs(weak1.errors.log_nd + 2.012) < 0.01);
+    CHECK(std::abs(weak2.errors.log_dn + 1.63) < 0.03);
+    CHECK(std::abs(weak1.error_u2 - 1.06) < 0.03);
+    CHECK(std::abs(weak2.error_u2 - 2.34) < 0.1);
+}
+
+TEST_CASE("plate: rates of convergence as an independent calculation found them") {
+    plate::Corners corners = plate::default_corners();
+    corners[0] = {"s11", "s12"};
+    const auto rate = [](double coarse, double fine, double ratio) {
+        return (coarse - fine) / std::log10(ratio);
+    };
+    const double a = solved(Method::strong, 16, 4, corners).errors.log_dn,
+                 b = solved(Method::strong, 31, 7, corners).errors.log_dn,
+                 c = solved(Method::strong, 61, 13, corners).errors.log_dn,
+                 d = solved(Method::strong, 91, 19, corners).errors.log_dn;
+    CHECK(std::abs(rate(a, b, 2) - 1.54) < 0.01);
+    CHECK(std::abs(rate(b, c, 2) - 1.99) < 0.01);
+    CHECK(std::abs(rate(c, d, 1.5) - 2.00) < 0.01);
+    const double e = solved(Method::weak1, 16, 4).errors.log_dn,
+                 f = solved(Method::weak1, 31, 7).errors.log_dn;
+    CHECK(std::abs(rate(e, f, 2) - 2.00) < 0.01);
+}
+
+TEST_CASE("plate: grids without meaning and conditions that say the same are refused") {
+    CHECK_THROWS_AS(plate::grid(1, 4), particles::InvalidInput);
+    plate::Corners corners = plate::default_corners();
+    corners[1] = {"u1", "u1"};
+    CHECK_THROWS_WITH_AS(plate::problem(material, corners),
+                         doctest::Contains("corner 2 needs two different conditions"),
+                         particles::InvalidInput);
+    CHECK_THROWS_WITH_AS(plate::condition_named("u3"), doctest::Contains("choose two of u1, u2, s11"),
+                         particles::InvalidInput);
+}

@@ -1,0 +1,77 @@
+#include "batra2008/section_4_example_problems.hpp"
+
+#include "tests/batra2008/elastic.hpp"
+
+using namespace batra2008;
+using namespace batra2008::example_problems;
+
+TEST_CASE("(4.4): the two readings of the error norm, for fields whose norms are known") {
+    const auto mesh = background_mesh(
+        3, 2, [](const Point<2>& at) { return at; }, [](const Point<2>&) { return 1.0; });
+    const elastostatics::FieldOf<Vector> exact = [](const Point<2>&) { return Vector(3, 4); };
+    const auto constant = [&](const Vector& u) {
+        return errors(mesh, std::vector<Vector>(mesh.size(), u), exact);
+    };
+    CHECK(constant({3.3, 4.4}).log_dn == support::relative(-1, 1e-12));
+    CHECK(constant({3.3, 4.4}).log_nd == support::relative(-1, 1e-12));
+    // As long as the exact field, but turned: the difference of the norms does not see it.
+    CHECK(constant({4, 3}).log_dn < -14);
+    CHECK(constant({4, 3}).log_nd == support::relative(std::log10(std::sqrt(2.0) / 5), 1e-12));
+}
+
+TEST_CASE(
+    "example_problems: the background mesh integrates polynomials of degree 7 exactly, on a mapped body "
+    "too") {
+    const auto identity = background_mesh(
+        2, 3, [](const Point<2>& at) { return at; }, [](const Point<2>&) { return 1.0; });
+    CHECK(identity.size() == 2 * 2 * 3 * 13);
+    for (int a = 0; a <= 7; ++a)
+        for (int b = 0; a + b <= 7; ++b) {
+            double sum = 0;
+            for (const MeshPoint& at : identity)
+                sum += at.weight * std::pow(at.x[0], a) * std::pow(at.x[1], b);
+            CHECK(sum == support::relative(1.0 / ((a + 1) * (b + 1)), 1e-13));
+        }
+    double degree_8 = 0, area = 0;
+    for (const MeshPoint& at : identity) degree_8 += at.weight * std::pow(at.x[0], 8);
+    CHECK(std::abs(degree_8 - 1.0 / 9) > 1e-9);
+    for (const MeshPoint& at : plate::mesh(4, 3)) area += at.weight;
+    CHECK(area == support::relative(plate::L1 * plate::L2, 1e-13));
+}
+
+TEST_CASE("example_problems: methods by their names; degrees that a method cannot use are refused") {
+    for (const Method method : {Method::strong, Method::weak1, Method::weak2})
+        CHECK(method_named(name(method)) == method);
+    CHECK_THROWS_WITH_AS(method_named("weak3"), doctest::Contains("choose all, or some of strong"),
+                         particles::InvalidInput);
+    const Problem problem = plate::problem({plate::E, plate::nu});
+    const Cloud<2> cloud(plate::grid(16, 4));
+    CHECK_THROWS_WITH_AS(solve(problem, cloud, {Method::strong, 3, 1}),
+                         doctest::Contains("take --degree 2 or 3"), particles::InvalidInput);
+    CHECK_THROWS_AS(solve(problem, cloud, {Method::weak1, 3, 4, 1e16}), particles::InvalidInput);
+}
+
+TEST_CASE("example_problems: too small a support is an error with place, counts and a remedy that helps") {
+    const Problem problem = plate::problem({plate::E, plate::nu});
+    const Cloud<2> cloud(plate::grid(16, 4));
+    CHECK_THROWS_WITH_AS(
+        solve(problem, cloud, {Method::strong, 2}),
+        doctest::Contains("ssph_basis: at (0, 0) there are 4 particles within 2h = 0.133 for the 6 "
+                          "monomials of degree 2; try --scaling 2.5"),
+        particles::FailedComputation);
+    CHECK_NOTHROW(solve(problem, cloud, {Method::strong, 2.5}));
+}
+
+TEST_CASE("example_problems: stress and displacement of a solution are those of a field of degree m") {
+    const support::PolynomialField field{{2e11, 0.3}};
+    const Problem problem = support::plate_with(field);
+    const Cloud<2> cloud(support::moved_grid(16, 4, 0.1, 4));
+    Eigen::VectorXd u(2 * cloud.size());
+    for (Index J = 0; J < cloud.size(); ++J) u.segment<2>(2 * J) = field.u(cloud.x().col(J));
+    const Point<2> x(0.43, 0.11);
+    for (const Method method : {Method::strong, Method::weak1, Method::weak2}) {
+        const State state = state_at(cloud, {{method, 4}, field.material, u}, x);
+        CHECK((state.u - field.u(x)).norm() < 1e-12);
+        CHECK((state.stress - field.stress(x)).norm() < 1e-10 * field.stress(x).norm());
+    }
+}
