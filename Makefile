@@ -154,7 +154,7 @@ $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
 
-$(bin)/plate $(bin)/hole: $(BUILD)/src/programs/example_problems.o
+$(bin)/plate $(bin)/hole $(bin)/check: $(BUILD)/src/programs/example_problems.o
 $(bin)/plate $(bin)/hole $(bin)/choices: $(BUILD)/src/batra2008/section_4_example_problems.o
 $(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=src/%/*.cpp)))
 $(BUILD)/bin/check: $(tests) $(common)

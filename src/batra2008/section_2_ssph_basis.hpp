@@ -428,6 +428,18 @@ Column<Scalar> differentiated_value(const Basis<dim, m, Scalar>& basis, int axis
     return basis.differentiated(0, axis);
 }
 
+/// Would the particles within a scaling factor's reach determine the monomials?
+template <int dim, int m>
+bool determined(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h) {
+    try {
+        const Basis<dim, m> basis(
+            particles::surroundings(cloud, particles::TruncatedGaussian<dim>(rho), x, h), h);
+        return true;
+    } catch (const particles::SingularNeighbourhood&) {
+        return false;
+    }
+}
+
 /// "ssph_basis: at (0.1, 0.2) there are 5 particles within 2h = 0.1, and 6 monomials of degree 2"
 template <int dim, int m>
 [[noreturn]] void refuse(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h,
@@ -437,8 +449,14 @@ template <int dim, int m>
     if (cloud.size() >= n) {
         Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
         std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
-        const double enough = std::floor(10 * distance[n - 1] / h * (1 + 1e-6) + 1) / 10;
-        remedy = "try --scaling " + particles::shown(std::max(enough, std::ceil(10 * rho + 5) / 10));
+        const double enough = std::floor(10 * distance[n - 1] / h * (1 + 1e-6) + 1);
+        remedy = "take other particles";
+        for (int more = 0; more < 50; ++more) {
+            const double scaling = (std::max(enough, std::ceil(10 * rho + 5)) + more) / 10;
+            if (!determined<dim, m>(cloud, scaling, x, h)) continue;
+            remedy = "try --scaling " + particles::shown(scaling);
+            break;
+        }
     }
     throw particles::FailedComputation(
         "ssph_basis: at " + particles::shown_point(x) + " there are " + std::to_string(found) +

@@ -82,9 +82,13 @@ class Cloud {
     static Points<dim> checked(Points<dim> x) {
         if (x.cols() < 2)
             throw InvalidInput("a cloud needs at least 2 particles, got " + std::to_string(x.cols()));
-        for (Index j = 0; j < x.cols(); ++j)
+        for (Index j = 0; j < x.cols(); ++j) {
             if (!x.col(j).allFinite())
                 throw InvalidInput("particle " + std::to_string(j) + " is not at a finite position");
+            if (x.col(j).squaredNorm() > 1e300)  // distances to there overflow
+                throw InvalidInput("particle " + std::to_string(j) + " is too far away, at " +
+                                   shown_point(x.col(j)));
+        }
         return x;
     }
 

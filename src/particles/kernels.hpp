@@ -65,40 +65,6 @@ struct Gaussian {
     }
 };
 
-/// The Gaussian lowered to vanish at 4h, \f$W(s) = \frac{G}{\sqrt\pi}\left(e^{-s^2} - e^{-16}\right)_+\f$ with
-/// \f$1/G = \operatorname{erf} 4 - 8e^{-16}/\sqrt\pi\f$: one dimension of TruncatedGaussian.
-struct LoweredGaussian {
-    static constexpr std::string_view name = "lowered_gaussian";
-
-    template <class Scalar>
-    static Scalar support() {
-        return Scalar(4);
-    }
-    template <class Scalar>
-    static Scalar W(const Scalar& s) {
-        using std::abs, std::exp;
-        return abs(s) < 4 ? (exp(-s * s) - exp(Scalar(-16))) * factor<Scalar> : Scalar(0);
-    }
-    template <class Scalar>
-    static Scalar DW(const Scalar& s) {
-        using std::abs, std::exp;
-        return abs(s) < 4 ? -2 * s * exp(-s * s) * factor<Scalar> : Scalar(0);
-    }
-    template <class Scalar>
-    static Scalar D2W(const Scalar& s) {
-        using std::abs, std::exp;
-        return abs(s) < 4 ? (4 * s * s - 2) * exp(-s * s) * factor<Scalar> : Scalar(0);
-    }
-
-  private:
-    template <class Scalar>
-    inline static const Scalar factor = [] {
-        using std::erf, std::exp;
-        const Scalar inverse_sqrt_pi = detail::inverse_sqrt_pi<Scalar>;
-        return Scalar(inverse_sqrt_pi / (erf(Scalar(4)) - 8 * exp(Scalar(-16)) * inverse_sqrt_pi));
-    }();
-};
-
 /// Cubic B-spline \f$W(s) = \frac16[(2-|s|)_+^3 - 4(1-|s|)_+^3]\f$, two continuous derivatives, support 2h.
 struct CubicSpline {
     static constexpr std::string_view name = "cubic_spline";
@@ -215,7 +181,7 @@ struct WendlandC4 {
 };
 
 /// Any of the kernels, chosen at run time.
-using Kernel = std::variant<Gaussian, LoweredGaussian, CubicSpline, QuinticSpline, WendlandC2, WendlandC4>;
+using Kernel = std::variant<Gaussian, CubicSpline, QuinticSpline, WendlandC2, WendlandC4>;
 
 /// @}
 

@@ -37,7 +37,8 @@ struct QuadraturePoint {
 
 namespace detail {
 
-constexpr double negligible = 1e-9;
+/// Lengths below this fraction of others are none: positions may come from a file with ten digits.
+constexpr double negligible = 1e-8;
 
 inline Point<2> direction(double angle) {
     return {std::cos(angle), std::sin(angle)};

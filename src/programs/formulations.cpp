@@ -8,19 +8,25 @@ namespace {
 
 /// The derivatives of the SSPH basis with monomials of degree 2 at a particle, in units of h. The weights of a derivative sum
 /// to zero, so that they serve differences as well.
-particles::Derivatives<double> derivatives(const particles::Neighbourhood<double>& near) {
-    const batra2008::ssph_basis::Basis<1, 2> basis({near.r, near.W, 0, {}}, 1);
+/// \param r, W offsets and kernel values of the particles
+particles::Derivatives<double> derivatives(const particles::Column<double>& r,
+                                           const particles::Column<double>& W) {
+    const batra2008::ssph_basis::Basis<1, 2> basis({r, W, 0, {}}, 1);
     return {batra2008::ssph_basis::derivative(basis, 1), batra2008::ssph_basis::derivative(basis, 2)};
 }
 
-/// SSPH has the Gaussian that vanishes at the edge of its support, (3.15) with ρ = 4, in place of the one that never does.
+/// SSPH weighs with any kernel that has a compact support. In place of the Gaussian, which has none, it takes (3.15) with ρ = 4.
 particles::Operators<double> ssph(const particles::Line<double>& line,
                                   const particles::Smoothing<double>& smoothing,
                                   const particles::Requirement& required) {
-    const bool gaussian = std::holds_alternative<particles::Gaussian>(smoothing.kernel());
-    const particles::Kernel kernel = gaussian ? particles::LoweredGaussian{} : smoothing.kernel();
-    return particles::assemble(line, particles::Smoothing<double>(kernel, smoothing.h()), required,
-                               derivatives);
+    using Near = particles::Neighbourhood<double>;
+    if (!std::holds_alternative<particles::Gaussian>(smoothing.kernel()))
+        return particles::assemble(line, smoothing, required,
+                                   [](const Near& near) { return derivatives(near.r, near.W); });
+    return particles::assemble(line, smoothing, required,
+                               [W = particles::TruncatedGaussian<1>(4)](const Near& near) {
+                                   return derivatives(near.r, W.W(near.r.square()));
+                               });
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ Points<2> read_positions(const std::string& path) {
         if (second.empty() || !more.empty())
             throw particles::InvalidInput(path + ", line " + std::to_string(number) +
                                           " does not hold two numbers");
-        x.emplace_back(read(first), read(second));
+        const double x1 = read(first), x2 = read(second);
+        x.emplace_back(x1, x2);
     }
     Points<2> positions(2, static_cast<Index>(x.size()));
     for (std::size_t j = 0; j < x.size(); ++j) positions.col(static_cast<Index>(j)) = x[j];

@@ -81,5 +81,5 @@ TEST_CASE("formulations: the programs know ssph, and refuse it where particles a
     CHECK(programs::run("vibration_test --formulation ssph --particles 20").code == 0);
     programs::check_refused(
         "static_test --formulation ssph --particles 2", 1,
-        "ssph: particle 0 (x = 0) has 2 neighbours within 4h, needs 3; take at least 3 particles");
+        "ssph: particle 0 (x = 0) has 2 neighbours within 6h, needs 3; take at least 3 particles");
 }

@@ -1,5 +1,7 @@
 #include "programs/options.hpp"
 
+#include "programs/formulations.hpp"
+
 #include "particles/errors.hpp"
 #include "tests/programs/run.hpp"
 
@@ -37,8 +39,8 @@ TEST_CASE("options: cases run through formulations, perturbations, particles and
 TEST_CASE("options: all means every formulation, and an unknown name is refused") {
     Options options;
     options.particles = {10};
-    CHECK(cases(options).size() == asprone2010::formulations<double>().size());
-    CHECK(cases(options, {"fem_lumped"}).size() == asprone2010::formulations<double>().size() + 1);
+    CHECK(cases(options).size() == programs::formulations().size());
+    CHECK(cases(options, {"fem_lumped"}).size() == programs::formulations().size() + 1);
     options.formulations = {"original", "fem_lumped"};
     CHECK_THROWS_AS(cases(options), particles::InvalidInput);
     CHECK_NOTHROW(cases(options, {"fem_lumped"}));

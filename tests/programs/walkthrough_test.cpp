@@ -81,12 +81,12 @@ bool in_order(const std::string& text, const std::vector<std::string>& parts) {
 
 TEST_CASE("walkthrough: every equation is indexed, and pages are written for equations, claims and tests") {
     const auto [code, output, errors] = in_changed_copy(
-        "true", "--pages pages && grep -c '^| .*anchor index_A' pages/equations.md && ls pages");
+        "true", "--pages pages && grep -c '^| .*anchor index_[AB]' pages/equations.md && ls pages");
     CHECK(code == 0);
     CHECK(errors.empty());
-    CHECK(
-        output ==
-        "52 equations indexed, 0 without code or test\n52\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
+    CHECK(output ==
+          "104 equations indexed, 0 without code or "
+          "test\n104\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
 }
 
 TEST_CASE("walkthrough: an equation without code, without test, or without a row is red") {

@@ -1,0 +1,44 @@
+#include "tests/batra2008/bases.hpp"
+
+#include "batra2008/section_2_ssph_basis.hpp"
+
+namespace support {
+
+namespace {
+
+using namespace batra2008;
+
+template <int dim, int m>
+Bases of(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place, double h) {
+    const auto basis = ssph_basis::basis_at<m>(cloud, particles::TruncatedGaussian<dim>(rho), place, h);
+    Bases all;
+    all.particle = basis.particle();
+    const auto count = static_cast<Index>(all.particle.size());
+    all.K.resize(count, basis.n);
+    all.slopes.resize(count, dim);
+    for (const auto& exponents : ssph_basis::monomials<dim, m>()) {
+        const auto I = static_cast<Index>(all.exponents.size());
+        all.exponents.push_back(powers(exponents));
+        all.K.col(I) = basis.K(I);
+    }
+    for (int axis = 0; axis < dim; ++axis) all.slopes.col(axis) = basis.differentiated(0, axis);
+    return all;
+}
+
+template <int dim>
+Bases in_space(int m, const Points<dim>& particles, double rho, const Point<dim>& place, double h) {
+    const particles::Cloud<dim> cloud(particles);
+    return m == 1   ? of<dim, 1>(cloud, rho, place, h)
+           : m == 2 ? of<dim, 2>(cloud, rho, place, h)
+                    : of<dim, 3>(cloud, rho, place, h);
+}
+
+}  // namespace
+
+Bases bases(int m, const Eigen::MatrixXd& particles, double rho, const Eigen::VectorXd& place, double h) {
+    if (particles.rows() == 1) return in_space<1>(m, particles, rho, place, h);
+    if (particles.rows() == 2) return in_space<2>(m, particles, rho, place, h);
+    return in_space<3>(m, particles, rho, place, h);
+}
+
+}  // namespace support

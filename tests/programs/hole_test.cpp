@@ -1,0 +1,72 @@
+#include "report/table.hpp"
+#include "tests/programs/run.hpp"
+#include "tests/relative.hpp"
+
+using programs::run;
+
+TEST_CASE("hole: columns by their names, and the sizes that the print gives") {
+    const auto [code, output, errors] = run("hole");
+    CHECK(code == 0);
+    CHECK(errors.empty());
+    const auto table = report::parsed(output);
+    REQUIRE(table.rows.size() == 3);
+    for (const char* name : {"method", "particles", "layout", "log_error_dn", "log_error_nd",
+                             "deviation_u1_mm", "deviation_u2_mm", "stress_concentration"})
+        CHECK_NOTHROW((void)table.column(name));
+    CHECK(table.word(1, "particles") == "188");
+    CHECK(std::abs(std::get<double>(table.rows[1][table.column("stress_concentration")]) - 3) < 0.2);
+    CHECK(std::get<double>(table.rows[1][table.column("log_error_nd")]) < -2);
+}
+
+TEST_CASE("hole: the same bytes on any number of threads") {
+    const std::string command = "hole --method strong,weak1 --gauss 4";
+    const auto alone = run(command + " --threads 1");
+    CHECK(alone.code == 0);
+    CHECK(run(command + " --threads 3").output == alone.output);
+}
+
+TEST_CASE("hole: layouts by name, drawn again, and from a file") {
+    const auto table = report::parsed(
+        run("hole --method strong --layout graded-188-11,polar-11x17 --radius 0.4 --draws 2").output);
+    CHECK(table.rows.size() == 3);  // a polar layout is drawn once
+    CHECK(table.word(0, "draw") == "1");
+    CHECK(table.word(1, "draw") == "2");
+    CHECK(table.word(2, "draw").empty());
+    CHECK(table.word(2, "particles") == "187");
+
+    const programs::Folder folder;
+    const std::string file = folder.path + "/positions.csv";
+    const auto states =
+        report::parsed(run("hole --method strong --layout polar-11x17 --states particles").output);
+    std::string lines = "# x1, x2\n";
+    for (std::size_t row = 0; row < states.rows.size(); ++row)
+        lines += states.word(row, "x1") + ", " + states.word(row, "x2") + "\n";
+    report::write_whole(file, lines);
+    const auto again = report::parsed(run("hole --method weak1 --gauss 4 --layout " + file).output);
+    const auto direct = report::parsed(run("hole --method weak1 --gauss 4 --layout polar-11x17").output);
+    CHECK(std::get<double>(again.rows[0][again.column("log_error_nd")]) ==
+          support::relative(std::get<double>(direct.rows[0][direct.column("log_error_nd")]), 1e-4));
+}
+
+TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") {
+    const programs::Folder folder;
+    const auto file = [&](const std::string& name, const std::string& text) {
+        report::write_whole(folder.path + "/" + name, text);
+        return folder.path + "/" + name;
+    };
+    for (const auto& [options, reason] : std::vector<std::pair<std::string, std::string>>{
+             {"--layout nonsense", "there is no layout 'nonsense'"},
+             {"--layout graded-20-11", "take more than 20 particles"},
+             {"--layout polar-2x9", "a polar layout needs"},
+             {"--radius 4", "the hole's radius must lie between 0 and the side 3"},
+             {"--poisson 0.5", "Poisson's ratio"},
+             {"--draws 0", "--draws"},
+             {"--layout " + file("words.csv", "0 1\nhello world\n"), "line 2: 'hello' is no number"},
+             {"--layout " + file("three.csv", "0 1\n1 2 3\n"), "line 2 does not hold two numbers"},
+             {"--layout " + file("outside.csv", "0 1\n1 2\n1 9\n"),
+              "particle 2 at (1, 9) lies outside the body"},
+             {"--layout " + file("twice.csv", "0 1\n1 2\n1 2\n"), "coincide at (1, 2)"},
+             {"--layout " + file("empty.csv", "# nothing\n"), "a cloud needs at least 2 particles, got 0"}})
+        programs::check_refused("hole " + options, 2, reason);
+    programs::check_refused("hole --layout /nowhere.csv", 1, "cannot read /nowhere.csv");
+}

@@ -1,0 +1,77 @@
+#include "report/table.hpp"
+#include "tests/programs/run.hpp"
+#include "tests/relative.hpp"
+
+using programs::run;
+
+TEST_CASE("plate: columns by their names, and the printed numbers of the three methods") {
+    const auto [code, output, errors] = run("plate");
+    CHECK(code == 0);
+    CHECK(errors.empty());
+    const auto table = report::parsed(output);
+    REQUIRE(table.rows.size() == 3);
+    for (const char* name : {"method", "particles", "nx", "ny", "scaling", "gauss", "degree", "log_error_dn",
+                             "log_error_nd", "max_error_u2_percent"})
+        CHECK_NOTHROW((void)table.column(name));
+    const auto number = [&](std::size_t row, const char* name) {
+        return std::get<double>(table.rows[row][table.column(name)]);
+    };
+    CHECK(std::abs(number(0, "log_error_dn") + 0.7097) < 1e-4);
+    CHECK(std::abs(number(1, "log_error_nd") + 2.012) < 0.01);
+    CHECK(std::abs(number(2, "log_error_dn") + 1.63) < 0.03);
+    CHECK(std::abs(number(0, "max_error_u2_percent") - 19.51) < 0.01);
+}
+
+TEST_CASE("plate: the same bytes on any number of threads") {
+    const std::string command = "plate --particles 16x4,21x5 --gauss 4";
+    const auto alone = run(command + " --threads 1");
+    CHECK(alone.code == 0);
+    CHECK(run(command + " --threads 2").output == alone.output);
+    CHECK(run("OPENBLAS_NUM_THREADS=2 " + command + " --threads 3").output == alone.output);
+}
+
+TEST_CASE("plate: corners, a choice of each and all that the print compares") {
+    const auto table = report::parsed(run("plate --method strong --corner-1 all --corner-3 u1,s12").output);
+    CHECK(table.rows.size() == 3);
+    CHECK(table.word(0, "corner_1") == "s11 s12");
+    CHECK(table.word(2, "corner_3") == "u1 s12");
+    CHECK(report::parsed(run("plate --method weak1 --corner-1 all --gauss 4").output).rows.size() == 1);
+}
+
+TEST_CASE("plate: states along an edge and on a grid, with the exact ones beside them") {
+    const auto bottom = report::parsed(run("plate --method strong --states bottom --points 5").output);
+    CHECK(bottom.rows.size() == 5);
+    CHECK(bottom.word(4, "x1") == "1");
+    CHECK(std::get<double>(bottom.rows[4][bottom.column("u2_exact")]) == support::relative(2.26e-3, 0.02));
+    CHECK(report::parsed(run("plate --method strong --states 7x3").output).rows.size() == 21);
+}
+
+TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output") {
+    for (const auto& [options, reason] : std::vector<std::pair<std::string, std::string>>{
+             {"--method weak3", "there is no method 'weak3'"},
+             {"--particles 16", "'16' is no pair of whole numbers such as 16x4"},
+             {"--particles 1x4", "a grid needs at least 2x2 particles"},
+             {"--scaling abc", "--scaling: 'abc' is neither a number nor a range"},
+             {"--scaling 1:0:3", "'1:0:3' is no range"},
+             {"--scaling nan", "neither a number"},
+             {"--scaling -1", "the scaling factor must be positive"},
+             {"--degree 4", "monomials of degree 1, 2 or 3"},
+             {"--degree 1.5", "1.5 is no whole number"},
+             {"--method strong --degree 1", "take --degree 2 or 3"},
+             {"--gauss 0", "--gauss must lie between 1 and 1000"},
+             {"--poisson 0.6", "Poisson's ratio must lie above -1 and below 0.5"},
+             {"--plane flat", "choose stress or strain"},
+             {"--penalty 0", "--penalty must be positive"},
+             {"--corner-1 u1", "'u1' is no pair of conditions"},
+             {"--corner-4 u1,u1", "corner 4 needs two different conditions"},
+             {"--corner-2 u1,t1", "there is no condition 't1'"},
+             {"--states nowhere", "--states: 'nowhere' is no pair"},
+             {"--particles 16x4,31x7 --field /dev/null", "--field holds one set of particles"},
+             {"--nonsense", "--nonsense"}})
+        programs::check_refused("plate " + options, 2, reason);
+}
+
+TEST_CASE("plate: a support that is too small is a failed computation with a remedy") {
+    programs::check_refused("plate --scaling 2", 1, "for the 6 monomials of degree 2; try --scaling 2.5");
+    programs::check_refused("plate --output /nowhere/x.csv", 1, "cannot write /nowhere/x.csv");
+}

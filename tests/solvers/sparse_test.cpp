@@ -1,0 +1,140 @@
+#include "solvers/sparse.hpp"
+
+#include <doctest/doctest.h>
+#include <omp.h>
+
+#include "tests/clouds.hpp"
+
+using namespace solvers;
+using particles::Index;
+
+namespace {
+
+/// Particles on a ring, each with the neighbours up to two places away, in increasing order.
+std::vector<std::vector<int>> ring(int N) {
+    std::vector<std::vector<int>> near(static_cast<std::size_t>(N));
+    for (int i = 0; i < N; ++i) {
+        for (const int step : {-2, -1, 0, 1, 2})
+            near[static_cast<std::size_t>(i)].push_back((i + step + N) % N);
+        std::sort(near[static_cast<std::size_t>(i)].begin(), near[static_cast<std::size_t>(i)].end());
+    }
+    return near;
+}
+
+/// Random entries, with a diagonal that keeps the matrix well conditioned unless it is zero.
+SparseRows random_matrix(int N, double diagonal, unsigned seed) {
+    support::Draws draw(seed);
+    const auto near = ring(N);
+    SparseRows A = rows_in_pairs(near);
+    for (Index row = 0; row < A.rows(); ++row) {
+        const auto& neighbours = near[static_cast<std::size_t>(row / 2)];
+        const auto count = static_cast<Index>(neighbours.size());
+        set_row(A, row, neighbours, Eigen::ArrayXd::NullaryExpr(count, [&] { return draw(); }),
+                Eigen::ArrayXd::NullaryExpr(count, [&] { return draw(); }));
+        A.coeffRef(row, row) = diagonal;
+    }
+    return A;
+}
+
+/// 2 × 2 blocks of a matrix of two particles that are each other's neighbours.
+SparseRows full(const Eigen::Matrix4d& entries) {
+    SparseRows A = rows_in_pairs({{0, 1}, {0, 1}});
+    for (Index row = 0; row < 4; ++row)
+        set_row(A, row, {0, 1}, Eigen::Array2d(entries(row, 0), entries(row, 2)),
+                Eigen::Array2d(entries(row, 1), entries(row, 3)));
+    return A;
+}
+
+}  // namespace
+
+TEST_CASE("sparse: rows in pairs have room for both unknowns of each neighbour, and are zero") {
+    const SparseRows A = rows_in_pairs({{0, 2}, {1}, {0, 1, 2}});
+    CHECK(A.rows() == 6);
+    CHECK(A.cols() == 6);
+    CHECK(A.nonZeros() == 2 * 4 + 2 * 2 + 2 * 6);
+    const Eigen::MatrixXi expected{{1, 1, 0, 0, 1, 1}, {1, 1, 0, 0, 1, 1}, {0, 0, 1, 1, 0, 0},
+                                   {0, 0, 1, 1, 0, 0}, {1, 1, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1}};
+    Eigen::MatrixXi room = Eigen::MatrixXi::Zero(6, 6);
+    for (Index row = 0; row < 6; ++row)
+        for (SparseRows::InnerIterator entry(A, row); entry; ++entry) {
+            room(row, entry.col()) = 1;
+            CHECK(entry.value() == 0);
+        }
+    CHECK(room == expected);
+}
+
+TEST_CASE("sparse: a row that is set holds the factors of the named particles and nothing else") {
+    SparseRows A = rows_in_pairs({{0, 1, 2, 3}, {1}, {2}, {3}});
+    set_row(A, 1, {1, 3}, Eigen::Array2d(5, 7), Eigen::Array2d(6, 8));
+    CHECK(Eigen::MatrixXd(A).row(1) == Eigen::RowVectorXd{{0, 0, 5, 6, 0, 0, 7, 8}});
+    CHECK(Eigen::MatrixXd(A).row(0).isZero(0));
+    CHECK(Eigen::MatrixXd(A).bottomRows(6).isZero(0));
+    set_row(A, 7, {3}, Eigen::ArrayXd::Constant(1, 2), Eigen::ArrayXd::Constant(1, 3));
+    CHECK(Eigen::MatrixXd(A).row(7) == Eigen::RowVectorXd{{0, 0, 0, 0, 0, 0, 2, 3}});
+}
+
+TEST_CASE("sparse: a known solution is found") {
+    const SparseRows A = random_matrix(200, 5, 1);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3);
+    CHECK((solve_sparse(A, A * x) - x).cwiseAbs().maxCoeff() < 1e-13);
+}
+
+TEST_CASE("sparse: rows whose sizes differ by 1e12 are solved as well") {
+    SparseRows A = random_matrix(200, 5, 2);
+    for (Index row = 0; row < A.rows(); ++row) A.row(row) *= std::pow(10, (row * 7) % 13 - 6);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3);
+    CHECK((solve_sparse(A, A * x) - x).cwiseAbs().maxCoeff() < 1e-10);
+}
+
+TEST_CASE("sparse: rows are exchanged where the diagonal is zero") {
+    const SparseRows A = random_matrix(60, 0, 3);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(120, -1, 3);
+    CHECK((solve_sparse(A, A * x) - x).cwiseAbs().maxCoeff() < 1e-10);
+    const SparseRows exchanged =
+        full(Eigen::Matrix4d{{0, 1, 0, 0}, {0, 0, 0, 2}, {4, 0, 0, 0}, {0, 0, 8, 0}});
+    CHECK(solve_sparse(exchanged, Eigen::Vector4d(1, 2, 4, 8)) == Eigen::Vector4d::Ones());
+}
+
+TEST_CASE("sparse: without a load nothing moves") {
+    CHECK(solve_sparse(random_matrix(20, 5, 4), Eigen::VectorXd::Zero(40)).isZero(0));
+}
+
+TEST_CASE("sparse: a singular system is refused with its size") {
+    const auto refused = [](const Eigen::Matrix4d& entries) {
+        CHECK_THROWS_WITH_AS(
+            solve_sparse(full(entries), Eigen::Vector4d::Ones()),
+            "the linear system of 4 unknowns is singular; take another scaling factor or other particles",
+            particles::FailedComputation);
+    };
+    refused(Eigen::Matrix4d{
+        {1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}});  // equal rows once they are scaled
+    refused(Eigen::Matrix4d{{1, 0, 2, 3}, {0, 0, 1, 5}, {2, 0, 1, 1}, {1, 0, 1, 1}});  // a column of zeros
+    const double nearly = 4 * (1 + 3e-16);
+    refused(Eigen::Matrix4d{{1, 2, 0, 0}, {2, nearly, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}});
+    refused(Eigen::Matrix4d{{1, 2, 3, 0}, {4, 5, 6, 0}, {7, 8, 9, 0}, {0, 0, 0, 1}});
+}
+
+TEST_CASE("sparse: rows that are zero or not finite are refused, and so are such loads") {
+    const std::string why = "has rows that are zero or not finite";
+    const Eigen::Matrix4d I = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d zero = I, nan = I, infinite = I;
+    zero(2, 2) = 0;
+    nan(1, 1) = std::nan("");
+    infinite(1, 2) = HUGE_VAL;
+    for (const Eigen::Matrix4d& bad : {zero, nan, infinite})
+        CHECK_THROWS_WITH_AS(solve_sparse(full(bad), Eigen::Vector4d::Ones()), doctest::Contains(why.c_str()),
+                             particles::FailedComputation);
+    CHECK_THROWS_WITH_AS(solve_sparse(full(I), Eigen::Vector4d(1, std::nan(""), 0, 0)),
+                         doctest::Contains(why.c_str()), particles::FailedComputation);
+}
+
+TEST_CASE("sparse: the same bits on any number of threads") {
+    const SparseRows A = random_matrix(300, 5, 5);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(600, -1, 3);
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const Eigen::VectorXd alone = solve_sparse(A, b);
+    omp_set_num_threads(3);
+    CHECK(solve_sparse(A, b) == alone);
+    omp_set_num_threads(threads);
+}
