@@ -14,20 +14,21 @@ OPTIMISE ?= -O2
 # No contraction and no -march: data keep their bytes from one build to the next.
 CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
-LDLIBS := -lumfpack -llapacke -lopenblas -lgsl
+LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln
 
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
 PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev \
-            libcli11-dev doctest-dev
+            libginac-dev libcli11-dev doctest-dev
 goals := $(filter-out setup,$(MAKECMDGOALS))
 PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test plate hole choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/programs/options.cpp src/programs/formulations.cpp)
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) \
+            $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 

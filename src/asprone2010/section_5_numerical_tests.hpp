@@ -26,6 +26,7 @@ struct Discretisation {
     particles::Kernel kernel = particles::Gaussian{};
     double smoothing = 1;     ///< h/δ
     double perturbation = 0;  ///< amplitude a of the random displacement, in units of δ
+    particles::Spacing smoothing_from = particles::Spacing::mean;  ///< what δ is in h/δ
 };
 
 /// Particles with the kernel that smooths over them.
@@ -35,19 +36,27 @@ struct Particles {
     particles::Smoothing<Scalar> smoothing;
 };
 
-/// The N particles of a discretisation; the seed matters where they are perturbed.
-/// \throws particles::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
-template <class Scalar = double>
-Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long seed) {
+/// Particles at given positions; the perturbation does not enter.
+/// \throws particles::InvalidInput for positions that do not increase, h ≤ 0
+template <class Scalar>
+Particles<Scalar> discretise(const Discretisation& of, const Column<Scalar>& x) {
     if (!(std::isfinite(of.smoothing) && of.smoothing > 0))
         throw particles::InvalidInput(
             "the smoothing length over the spacing must be positive and finite, got " +
             particles::shown(of.smoothing));
+    const Line<Scalar> line = particles::line_at<Scalar>(x, of.volumes);
+    return {line,
+            particles::Smoothing<Scalar>(of.kernel, Scalar(of.smoothing) * line.spacing(of.smoothing_from))};
+}
+
+/// The N particles of a discretisation; the seed matters where they are perturbed.
+/// \throws particles::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
+template <class Scalar = double>
+Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long seed) {
     const Column<Scalar> x = of.perturbation == 0
                                  ? particles::uniform_positions<Scalar>(N)
                                  : particles::perturbed_positions<Scalar>(N, of.perturbation, seed);
-    const Line<Scalar> line = particles::line_at<Scalar>(x, of.volumes);
-    return {line, particles::Smoothing<Scalar>(of.kernel, Scalar(of.smoothing) * line.spacing())};
+    return discretise(of, x);
 }
 
 /// \f$\max_j |a_j - b_j|\f$, the norm in which the displacement's error is measured.

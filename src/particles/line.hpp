@@ -38,6 +38,16 @@ inline std::string name(Volumes volumes) {
     return volumes == Volumes::equal ? "equal" : "partition";
 }
 
+/// Which distance between consecutive particles stands for all of them, where a smoothing length is measured in it.
+enum class Spacing { mean, largest };
+
+/// \throws InvalidInput for a name that no spacing has
+inline Spacing spacing_named(std::string_view name) {
+    if (name == "mean") return Spacing::mean;
+    if (name == "largest") return Spacing::largest;
+    throw InvalidInput("there is no spacing '" + std::string(name) + "'; choose mean or largest");
+}
+
 /// A line of particles: positions in increasing order and the volume that each carries [length].
 /// \tparam Scalar a real type
 template <class Scalar = double>
@@ -70,6 +80,10 @@ class Line {
 
     /// Mean distance δ between consecutive particles.
     [[nodiscard]] Scalar spacing() const { return length() / Scalar(size() - 1); }
+    [[nodiscard]] Scalar spacing(Spacing which) const {
+        if (which == Spacing::mean) return spacing();
+        return (x_.tail(size() - 1) - x_.head(size() - 1)).maxCoeff();
+    }
 
   private:
     [[noreturn]] static void refuse(Index j, const std::string& why) {

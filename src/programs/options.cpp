@@ -11,6 +11,7 @@
 #include "particles/errors.hpp"
 #include "particles/operators.hpp"
 #include "programs/formulations.hpp"
+#include "programs/positions.hpp"
 #include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
@@ -58,9 +59,16 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
            "which formulations, separated by commas: all, or some of " + joined(known_formulations(extra)))
         ->delimiter(',')
         ->type_name("NAME[,NAME...]");
-    app.add_option("--particles", options.particles, "numbers of particles N, separated by commas")
-        ->delimiter(',')
-        ->type_name("N[,N...]");
+    auto* const counts =
+        app.add_option("--particles", options.particles, "numbers of particles N, separated by commas")
+            ->delimiter(',')
+            ->type_name("N[,N...]");
+    auto* const positions =
+        app.add_option("--positions", options.positions_file,
+                       "instead of N particles, those of a file: one position on a line, or in a CSV's first "
+                       "column, increasing from 0 to 1")
+            ->type_name("FILE")
+            ->excludes(counts);
     app.add_option(
            "--volumes", options.volumes,
            "particle volumes: equal (the spacing for all; default) or partition (half of it at the ends)")
@@ -69,17 +77,25 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
         ->type_name("NAME");
     app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1)")
         ->type_name("RATIO");
+    app.add_option(
+           "--smoothing-from", options.smoothing_from,
+           "which spacing delta is in h/delta: mean (default) or largest; h is one for all particles, "
+           "it does not follow the local spacing")
+        ->type_name("NAME");
     app.add_option("--perturb", options.perturbations,
                    "amplitudes a, separated by commas: inner particles move by U(-1,1) a delta (default 0; "
                    "the paper: "
                    "0.25)")
         ->delimiter(',')
-        ->type_name("A[,A...]");
+        ->type_name("A[,A...]")
+        ->excludes(positions);
     app.add_option("--seed", options.seed, "first seed of the perturbations (default 1)")
         ->type_name("S")
+        ->excludes(positions)
         ->check(CLI::Range(1UL, largest_seed));
     app.add_option("--seeds", options.seeds, "how many seeds: S, S+1, ... (default 1)")
         ->type_name("K")
+        ->excludes(positions)
         ->check(CLI::Range(1UL, 1000000UL));
     app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
     app.add_option("--threads", options.threads, "how many threads (default: all)")
@@ -114,11 +130,18 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
     return all;
 }
 
+std::array<Cell, 2> drawn(const Options& options, const Case& of) {
+    if (options.positions.size() > 0) return {};
+    return {of.perturbation, static_cast<long>(of.seed)};
+}
+
 asprone2010::numerical_tests::Particles<double> discretise(const Options& options, const Case& of) {
-    return asprone2010::numerical_tests::discretise<double>(
-        {particles::volumes_named(options.volumes), particles::kernel_named(options.kernel),
-         options.smoothing, of.perturbation},
-        of.particles, of.seed);
+    const asprone2010::numerical_tests::Discretisation how{
+        particles::volumes_named(options.volumes), particles::kernel_named(options.kernel), options.smoothing,
+        of.perturbation, particles::spacing_named(options.smoothing_from)};
+    return options.positions.size() > 0
+               ? asprone2010::numerical_tests::discretise<double>(how, options.positions)
+               : asprone2010::numerical_tests::discretise<double>(how, of.particles, of.seed);
 }
 
 void tabulate(report::Table& table, const Options& options,
@@ -146,9 +169,9 @@ void tabulate(report::Table& table, const Options& options,
     for (std::size_t k = 0; k < all.size();) {
         const Case& of = all[k];
         const unsigned long seeds = !options.median || of.perturbation == 0 ? 1 : options.seeds;
+        const auto [perturbation, seed] = drawn(options, of);
         std::vector<Cell> row{of.formulation, static_cast<long>(of.particles),
-                              1.0 / static_cast<double>(of.particles - 1), of.perturbation,
-                              static_cast<long>(of.seed)};
+                              1.0 / static_cast<double>(of.particles - 1), perturbation, seed};
         std::vector<Cell> spread{static_cast<long>(seeds)};
         for (std::size_t column = 0; column < measured.size(); ++column) {
             std::vector<double> sample;
@@ -180,8 +203,15 @@ std::vector<std::string> described(const Options& options) {
         equations += (equations.empty() ? "equations: " : ", ") + std::string(formulation.name) + " " +
                      std::string(formulation.equations);
     }
-    std::string parameters = "kernel " + options.kernel + ", h/delta " + particles::shown(options.smoothing) +
-                             ", volumes " + options.volumes;
+    const bool from_mean = particles::spacing_named(options.smoothing_from) == particles::Spacing::mean;
+    std::string parameters = "kernel " + options.kernel +
+                             (from_mean ? ", h/delta " : ", h/largest spacing ") +
+                             particles::shown(options.smoothing) + ", volumes " + options.volumes;
+    if (const auto& x = options.positions; x.size() > 0) {
+        const particles::Column<double> apart = x.tail(x.size() - 1) - x.head(x.size() - 1);
+        parameters += ", positions of a file, " + particles::shown(apart.minCoeff()) + " to " +
+                      particles::shown(apart.maxCoeff()) + " apart";
+    }
     if (std::any_of(options.perturbations.begin(), options.perturbations.end(),
                     [](double a) { return a != 0; }))
         parameters += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
@@ -223,9 +253,15 @@ int run(CLI::App& app, int argc, char** argv, const int& threads, const std::str
     });
 }
 
-int run(CLI::App& app, int argc, char** argv, const Options& options,
+int run(CLI::App& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute) {
-    return run(app, argc, argv, options.threads, options.output, compute);
+    return run(app, argc, argv, options.threads, options.output, [&] {
+        if (options.positions_file) {
+            options.positions = read_positions(*options.positions_file);
+            options.particles = {static_cast<long>(options.positions.size())};
+        }
+        return compute();
+    });
 }
 
 }  // namespace programs

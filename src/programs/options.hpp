@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +17,12 @@ namespace programs {
 struct Options {
     std::vector<std::string> formulations{"all"};
     std::vector<long> particles;
+    std::optional<std::string> positions_file;
+    particles::Column<double> positions;  ///< those of the file, once it is read
     std::string volumes = "equal";
     std::string kernel = "gaussian";
     double smoothing = 1;
+    std::string smoothing_from = "mean";
     std::vector<double> perturbations{0};
     unsigned long seed = 1;
     unsigned long seeds = 1;
@@ -45,6 +50,9 @@ struct Case {
 /// Without a perturbation there is one seed only.
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra = {});
 
+/// Perturbation and seed of a case, for a table; empty where the particles lie at the positions of a file.
+std::array<report::Cell, 2> drawn(const Options& options, const Case& of);
+
 /// The discretisation of a case.
 asprone2010::numerical_tests::Particles<double> discretise(const Options& options, const Case& of);
 
@@ -67,7 +75,9 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
 /// \param threads how many, 0 for all \param output the file to write; both are read once the options are
 int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
         const std::function<report::Table()>& compute);
-int run(CLI::App& app, int argc, char** argv, const Options& options,
+
+/// The same for a numerical test, whose file of positions is read into its options first.
+int run(CLI::App& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute);
 
 }  // namespace programs

@@ -1,5 +1,8 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 
+#include <optional>
+
+#include "programs/expression.hpp"
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"
 
@@ -8,7 +11,9 @@ int main(int argc, char** argv) {
         "Section 5.2 of Asprone et al. (2010): displacement error of an elastic rod, -u'' = exp, u(0) = "
         "u'(1) = 0.",
         "static_test");
-    app.footer("Example: static_test --formulation modified_fpm,second_order_fpm --particles 160,320,640");
+    app.footer(
+        "Example: static_test --formulation modified_fpm,second_order_fpm --particles 160,320,640\n"
+        "Another: static_test --displacement \"x*exp(-x)+sin(3*x)\" --particles 53");
     programs::Options options;
     options.particles = programs::four_a_doubling();
     programs::add_options(app, options);
@@ -18,19 +23,32 @@ int main(int argc, char** argv) {
                    "formulation whose first derivative is imposed at x = 1 (default: each its own)")
         ->type_name("NAME");
 
+    std::optional<std::string> displacement;
+    app.add_option("--displacement", displacement,
+                   "the exact displacement u, smooth on [0, 1] (default -exp(x)+e*x+1), from which the load "
+                   "and the end values follow; of " +
+                       std::string(programs::vocabulary))
+        ->type_name("TEXT");
+
     return programs::run(app, argc, argv, options, [&] {
         using namespace asprone2010;
+        static_test::Exact exact = static_test::exponential_load();
+        if (displacement) {
+            const auto [value, first, second] = programs::expression("--displacement", *displacement);
+            exact = {value, first, second};
+        }
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.2, Figure 2: infinity norm of the displacement's error, (45) "
-            "with f = exp"};
+            "with " +
+            (displacement ? "u = " + *displacement : "f = exp")};
         for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
         if (!end.empty()) table.comments.push_back("derivative at x = 1 by " + end);
         table.columns = {{"error_displacement", {1e-6, 5e-10}}};
         programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
             return {static_test::error(programs::formulation_named(of.formulation),
                                        programs::formulation_named(end.empty() ? of.formulation : end),
-                                       programs::discretise(options, of), static_test::exponential_load())};
+                                       programs::discretise(options, of), exact)};
         });
         return table;
     });

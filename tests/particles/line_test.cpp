@@ -91,3 +91,15 @@ TEST_CASE("line: what is no line is refused with the particle's number") {
     for (const double a : {-0.1, 0.5, 2.0, nan})
         CHECK_THROWS_AS(perturbed_positions<double>(10, a, 1), InvalidInput);
 }
+
+TEST_CASE("line: the largest spacing is that of the farthest neighbours, the mean one that of all") {
+    Column<double> x(4);
+    x << 0, 0.1, 0.6, 1;
+    const auto line = line_at<double>(x, Volumes::equal);
+    CHECK(line.spacing(Spacing::largest) == 0.5);
+    CHECK(line.spacing(Spacing::mean) == line.spacing());
+    CHECK(spacing_named("mean") == Spacing::mean);
+    CHECK(spacing_named("largest") == Spacing::largest);
+    CHECK_THROWS_WITH_AS(spacing_named("local"), "there is no spacing 'local'; choose mean or largest",
+                         InvalidInput);
+}

@@ -54,3 +54,23 @@ TEST_CASE("derivative_test: --output writes what the standard output shows") {
     CHECK(output.empty());
     CHECK(report::read_whole(file) == run("derivative_test --particles 10").output);
 }
+
+TEST_CASE("derivative_test: --function exp(x) gives the numbers of the default") {
+    for (const std::string options : {"", " --perturb 0.25 --seeds 2 --volumes partition"}) {
+        const auto own = run("derivative_test --function 'exp(x)'" + options);
+        CHECK(own.code == 0);
+        CHECK(without_comments(own.output) == without_comments(run("derivative_test" + options).output));
+    }
+}
+
+TEST_CASE("derivative_test: --function is differentiated, and named in the table") {
+    const auto [code, output, errors] =
+        run("derivative_test --function '3*x^2-x+2' --formulation second_order_fpm,ssph --particles 37");
+    CHECK(code == 0);
+    CHECK(output.find("for B = 3*x^2-x+2\n") != std::string::npos);
+    const auto table = report::parsed(output);
+    REQUIRE(table.rows.size() == 2);
+    for (std::size_t row = 0; row < 2; ++row)  // exact on parabolas
+        for (const char* column : {"error_first", "error_second"})
+            CHECK(std::get<double>(table.rows[row][table.column(column)]) < 1e-9);
+}

@@ -110,14 +110,18 @@ TEST_CASE("options: --help shows every option and an example that runs") {
         const auto [code, help, errors] = run(program + " --help");
         CHECK(code == 0);
         CHECK(errors.empty());
-        for (const char* option : {"--formulation", "--particles", "--volumes", "--kernel", "--smoothing",
-                                   "--perturb", "--seed ", "--seeds", "--median", "--threads", "--output"})
+        for (const char* option :
+             {"--formulation", "--particles", "--positions", "--volumes", "--kernel", "--smoothing ",
+              "--smoothing-from", "--perturb", "--seed ", "--seeds", "--median", "--threads", "--output"})
             CHECK(help.find(option) != std::string::npos);
-        const std::size_t example = help.find("Example: ");
-        REQUIRE(example != std::string::npos);
-        const auto shown = run(help.substr(example + 9, help.find('\n', example) - example - 9));
-        CHECK(shown.code == 0);
-        CHECK(shown.output.starts_with("# Asprone et al. (2010)"));
+        for (const std::string word : {"Example: ", "Another: "}) {
+            const std::size_t example = help.find(word);
+            REQUIRE(example != std::string::npos);
+            const std::size_t start = example + word.size();
+            const auto shown = run(help.substr(start, help.find('\n', example) - start));
+            CHECK(shown.code == 0);
+            CHECK(shown.output.starts_with("# Asprone et al. (2010)"));
+        }
     }
 }
 

@@ -25,3 +25,33 @@ TEST_CASE("static_test: the same bytes on any number of threads") {
     CHECK(run(command + " --threads 2").output == alone.output);
     CHECK(run("OPENBLAS_NUM_THREADS=2 " + command + " --threads 3").output == alone.output);
 }
+
+TEST_CASE("static_test: the default's displacement, typed, gives the default's errors") {
+    for (const std::string options : {"", " --perturb 0.25 --end fpm --volumes partition"}) {
+        CAPTURE(options);
+        const auto own = report::parsed(run("static_test --displacement '-exp(x)+e*x+1'" + options).output);
+        const auto table = report::parsed(run("static_test" + options).output);
+        REQUIRE(own.rows.size() == table.rows.size());
+        for (std::size_t row = 0; row < table.rows.size(); ++row) {
+            const double error = std::get<double>(table.rows[row].back());
+            CHECK(std::abs(std::get<double>(own.rows[row].back()) - error) < 1e-6 * error + 5e-10);
+        }
+    }
+}
+
+TEST_CASE("static_test: load and end values follow from --displacement") {
+    const auto [code, output, errors] =
+        run("static_test --displacement '3*x^2-x+2' --formulation second_order_fpm,modified_fpm,ssph "
+            "--particles 53");
+    CHECK(code == 0);
+    CHECK(output.find("with u = 3*x^2-x+2\n") != std::string::npos);
+    const auto table = report::parsed(output);
+    REQUIRE(table.rows.size() == 3);
+    for (const auto& row : table.rows) CHECK(std::get<double>(row.back()) < 1e-10);  // exact on parabolas
+    const auto sine =
+        report::parsed(run("static_test --displacement 'x*exp(-x)+sin(3*x)' --formulation second_order_fpm "
+                           "--particles 320,640")
+                           .output);
+    CHECK(std::get<double>(sine.rows[0].back()) / std::get<double>(sine.rows[1].back()) ==
+          support::relative(4, 0.05));
+}

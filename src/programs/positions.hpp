@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "particles/line.hpp"
+
+namespace programs {
+
+/// Positions of particles from a file: one on a line, or in the first column of a CSV. # starts a comment; a first line that
+/// begins with a letter or a quote is a header.
+/// \return strictly increasing, from 0 to 1 [length]
+/// \throws particles::InvalidInput naming file, line and value where the positions are anything else
+/// \throws particles::FailedComputation where the file cannot be read
+particles::Column<double> read_positions(const std::string& path);
+
+}  // namespace programs

@@ -1,0 +1,144 @@
+#include "programs/positions.hpp"
+
+#include <vector>
+
+#include "particles/errors.hpp"
+#include "report/table.hpp"
+#include "tests/programs/run.hpp"
+#include "tests/relative.hpp"
+
+using namespace programs;
+
+namespace {
+
+/// What is read from a file with this text.
+particles::Column<double> read(const std::string& text) {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    report::write_whole(file, text);
+    return read_positions(file);
+}
+
+std::string uniform(long N) {
+    std::string text;
+    for (const double x : particles::uniform_positions<double>(N)) text += particles::shown(x, 17) + "\n";
+    return text;
+}
+
+/// Irregular, with a largest spacing of 0.1 where the mean is 1/14.
+const char* const irregular =
+    "0\n0.05\n0.11\n0.2\n0.26\n0.35\n0.41\n0.5\n0.6\n0.66\n0.75\n0.8\n0.9\n0.95\n1\n";
+
+}  // namespace
+
+TEST_CASE("positions: a number on a line or the first column of a CSV, with comments, blanks and a header") {
+    for (const char* text :
+         {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
+          "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n", "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n",
+          "\xEF\xBB\xBF"
+          "0\n0.25\n1\n"}) {
+        CAPTURE(text);
+        const auto x = read(text);
+        REQUIRE(x.size() == 3);
+        CHECK(x[0] == 0);
+        CHECK(x[1] == 0.25);
+        CHECK(x[2] == 1);
+    }
+}
+
+TEST_CASE("positions: anything else is refused with its line and its value") {
+    struct Case {
+        const char *text, *reason;
+    };
+    const std::vector<Case> all{
+        {"", "x.csv holds no position"},
+        {"# nothing\nx\n", "x.csv holds no position"},
+        {"0\n0.5\n0.5\n1\n", "line 3: '0.5' does not lie beyond the position before it, 0.5; sort them"},
+        {"0\n0.6\n# here\n0.5\n1\n", "line 4: '0.5' does not lie beyond the position before it, 0.6"},
+        {"0.1\n0.5\n1\n", "line 1: '0.1' is the first position; it must be 0"},
+        {"-1\n0\n1\n", "line 1: '-1' is the first position; it must be 0"},
+        {"0\n0.5\n", "line 2: '0.5' is the last position; it must be 1"},
+        {"0\n0.5\n1\n1.5\n", "line 4: '1.5' lies beyond 1; scale the positions to [0, 1]"},
+        {"0\nabc\n1\n", "line 2: 'abc' is no position"},
+        {"x\ny\n0\n1\n", "line 2: 'y' is no position"},
+        {"0\n0.5m\n1\n", "line 2: '0.5m' is no position"},
+        {"0\n0.5 0.6\n1\n", "line 2: '0.5 0.6' is no position"},
+        {"0\n,0.5\n1\n", "line 2: '' is no position"},
+        {"0\nnan\n1\n", "line 2: 'nan' is no position"},
+        {"0\ninf\n", "line 2: 'inf' is no position"},
+        {"0\n1e999\n", "line 2: '1e999' is no position"},
+        {"0\n\x7F\n1\n", "line 2: '?' is no position"},
+    };
+    for (const auto& [text, reason] : all) {
+        CAPTURE(text);
+        CHECK_THROWS_WITH_AS(static_cast<void>(read(text)), doctest::Contains(reason),
+                             particles::InvalidInput);
+    }
+    CHECK_THROWS_AS(static_cast<void>(read_positions("/nowhere/x.csv")), particles::FailedComputation);
+}
+
+TEST_CASE("positions: those of a uniform grid give the numbers of --particles") {
+    const Folder folder;
+    const std::string file = folder.path + "/uniform.csv";
+    report::write_whole(file, uniform(40));
+    for (const std::string program : {"derivative_test", "static_test", "vibration_test"})
+        for (const std::string options :
+             {" --volumes equal", " --volumes partition --kernel quintic_spline --smoothing 1.5"}) {
+            CAPTURE(program + options);
+            const auto given = report::parsed(run(program + options + " --positions " + file).output);
+            const auto made = report::parsed(run(program + options + " --particles 40").output);
+            REQUIRE(!given.rows.empty());
+            REQUIRE(given.rows.size() == made.rows.size());
+            for (std::size_t row = 0; row < made.rows.size(); ++row)
+                for (const auto& column : made.columns) {
+                    CAPTURE(column.name);
+                    const bool drawn = column.name == "seed" || column.name == "perturbation";
+                    CHECK(given.word(row, column.name) == (drawn ? "" : made.word(row, column.name)));
+                }
+        }
+}
+
+TEST_CASE("positions: any increasing set serves, with h from the mean or from the largest spacing") {
+    const Folder folder;
+    const std::string file = folder.path + "/irregular.csv";
+    report::write_whole(file, irregular);
+    const std::string command = "static_test --formulation second_order_fpm --positions " + file;
+    const auto error = [&](const std::string& options) {
+        const auto table = report::parsed(run(command + options).output);
+        REQUIRE(table.rows.size() == 1);
+        CHECK(table.word(0, "particles") == "15");
+        return std::get<double>(table.rows[0][table.column("error_displacement")]);
+    };
+    CHECK(error("") == error(" --smoothing-from mean"));
+    CHECK(error(" --smoothing-from largest") == support::relative(error(" --smoothing 1.4"), 1e-9));
+    CHECK(error("") != error(" --smoothing-from largest"));
+    CHECK(run(command).output.find("positions of a file, 0.05 to 0.1 apart") != std::string::npos);
+    CHECK(run(command + " --smoothing-from largest").output.find("h/largest spacing 1") != std::string::npos);
+}
+
+TEST_CASE("positions: perturbed particles too may be smoothed by their largest spacing") {
+    const std::string command = "derivative_test --formulation fpm --particles 30 --perturb 0.2";
+    const auto by_mean = run(command), by_largest = run(command + " --smoothing-from largest");
+    CHECK(by_largest.code == 0);
+    CHECK(by_largest.output != by_mean.output);
+}
+
+TEST_CASE("positions: the programs refuse what does not go together, in one line") {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    report::write_whole(file, "0\n0.5\n0.4\n1\n");
+    for (const std::string program : {"derivative_test", "static_test", "vibration_test"}) {
+        const std::string command = program + " --positions " + file;
+        check_refused(command, 2, "x.csv, line 3: '0.4' does not lie beyond the position before it, 0.5");
+        for (const std::string option : {"--particles 10", "--perturb 0.1", "--seed 2", "--seeds 2"}) {
+            check_refused(command + " " + option, 2, option.substr(0, option.find(' ')));
+            check_refused(command + " " + option, 2, "excludes");
+        }
+        check_refused(program + " --positions /nowhere/x.csv", 1, "cannot read /nowhere/x.csv");
+        check_refused(program + " --smoothing-from local", 2,
+                      "there is no spacing 'local'; choose mean or largest");
+    }
+    report::write_whole(file, "0\n1\n");
+    check_refused("vibration_test --positions " + file, 2, "take at least 3");
+    check_refused("derivative_test --positions ''", 1, "cannot read");
+}
