@@ -14,19 +14,19 @@ OPTIMISE ?= -O2
 # No contraction and no -march: data keep their bytes from one build to the next.
 CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
-LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln
+LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
 
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
 PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev \
-            libginac-dev libcli11-dev doctest-dev
+            libginac-dev libboost-dev libcli11-dev doctest-dev
 goals := $(filter-out setup,$(MAKECMDGOALS))
 PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 
 bin := $(BUILD)/bin
-programs := derivative_test static_test vibration_test plate hole choices claims walkthrough compare_tables
+programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) \
             $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
@@ -37,6 +37,10 @@ asprone2010/figure_1       = $(bin)/derivative_test --perturb 0,0.25 --seeds 51 
 asprone2010/figure_2_left  = $(bin)/static_test
 asprone2010/figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
 asprone2010/figure_3       = $(bin)/vibration_test
+asprone2010/constants      = $(bin)/constants
+asprone2010/orders         = $(bin)/orders
+asprone2010/precision      = $(bin)/roundoff
+asprone2010/draws          = $(bin)/draws
 asprone2010/claims         = $(bin)/claims --paper asprone2010
 asprone2010/choices        = $(bin)/choices
 

@@ -1,5 +1,6 @@
 # Figure 3 of Asprone et al. (2010): frequencies over exact frequencies for 100 particles. Beyond the print: FPM applied twice,
-# the SSPH basis of Batra and Zhang (2008), and the consistent mass matrix of the finite elements.
+# the SSPH basis of Batra and Zhang (2008), the consistent mass matrix of the finite
+# elements, and in grey the theory: the symbol of each D² on an infinite lattice.
 load "figures/style.gp"
 # Another table can be drawn: gnuplot -e "table='FILE'; output='FILE'"; what is said of the paper's case is then left out.
 if (exists("table")) {
@@ -15,8 +16,11 @@ set yrange [0:1.3]
 set xlabel "mode n / number of particles N"
 set ylabel "ω_n / (π n)"
 curves = "fem_consistent fem_lumped chen_beraun modified_fpm second_order_fpm rkpm_second_order original rkpm_first_order fpm ssph"
-plot for [name in curves] table using (of(name) * column("mode") / column("particles")):"ratio" \
+plot for [name in curves[strlen("fem_consistent fem_lumped "):]] table using (of(name) * column("mode") / column("particles")):"ratio_symbol" \
+         with lines linecolor rgb "#d5d5d5" linewidth 5 notitle, \
+     for [name in curves] table using (of(name) * column("mode") / column("particles")):"ratio" \
          with lines linestyle style(name) notitle, \
      for [name in curves] table using (of(name) * marked(name, column("mode"), 16) * column("mode") / column("particles")):"ratio" \
          with points linestyle style(name) notitle, \
-     for [name in curves] keyentry with linespoints linestyle style(name) title title(name)
+     for [name in curves] keyentry with linespoints linestyle style(name) title title(name), \
+     keyentry with lines linecolor rgb "#d5d5d5" linewidth 5 title "symbol of D², infinite lattice"

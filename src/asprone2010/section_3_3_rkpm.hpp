@@ -69,17 +69,24 @@ T correction_derivative(const Coefficients& c, const T& s) {
     return sum;
 }
 
-/// The coefficients with which the p-th moments of \f$K_i\f$ become 1, 0, 0, …: the first column of \f$M^{-1}\f$.
+/// \f$M_{kl}\f$ for the exponents p.
 /// \param moment a function of k: the k-th moment of the kernel in units of h
-/// \throws SingularNeighbourhood where the particles do not determine the coefficients
 template <class Scalar, int... p, class Moment>
-Eigen::Matrix<Scalar, sizeof...(p), 1> correction_coefficients(const Moment& moment) {
+Eigen::Matrix<Scalar, sizeof...(p), sizeof...(p)> moment_matrix(const Moment& moment) {
     constexpr std::array exponents{p...};
     Eigen::Matrix<Scalar, sizeof...(p), sizeof...(p)> M;
     for (std::size_t k = 0; k < exponents.size(); ++k)
         for (std::size_t l = 0; l < exponents.size(); ++l)
             M(static_cast<Index>(k), static_cast<Index>(l)) = moment(exponents[k] + exponents[l]);
-    return inverse(M).col(0);
+    return M;
+}
+
+/// The coefficients with which the p-th moments of \f$K_i\f$ become 1, 0, 0, …: the first column of \f$M^{-1}\f$.
+/// \param moment a function of k: the k-th moment of the kernel in units of h
+/// \throws SingularNeighbourhood where the particles do not determine the coefficients
+template <class Scalar, int... p, class Moment>
+Eigen::Matrix<Scalar, sizeof...(p), 1> correction_coefficients(const Moment& moment) {
+    return inverse(moment_matrix<Scalar, p...>(moment)).col(0);
 }
 
 /// The corrected kernel, for the integral forms. \defeq{A22}

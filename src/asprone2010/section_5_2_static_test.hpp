@@ -23,14 +23,19 @@ namespace asprone2010 {
 namespace static_test {
 
 /// A displacement with its first and second derivatives: it defines the load and the end values of a problem.
+template <class Scalar = double>
 struct Exact {
-    Function u, Du, D2u;
+    std::function<Scalar(const Scalar&)> u, Du, D2u;
 };
 
 /// The paper's case: f = eˣ, u(0) = u′(1) = 0, so that \f$u = -e^x + ex + 1\f$.
-inline Exact exponential_load() {
-    return {[](double x) { return -std::exp(x) + std::exp(1.0) * x + 1; },
-            [](double x) { return -std::exp(x) + std::exp(1.0); }, [](double x) { return -std::exp(x); }};
+template <class Scalar = double>
+Exact<Scalar> exponential_load() {
+    using std::exp;
+    const Scalar e = exp(Scalar(1));
+    return {[e](const Scalar& x) -> Scalar { return -exp(x) + e * x + 1; },
+            [e](const Scalar& x) -> Scalar { return -exp(x) + e; },
+            [](const Scalar& x) -> Scalar { return -exp(x); }};
 }
 
 /// Equilibrium at the inner particles, between one row for each end. \defeq{A45}
@@ -38,21 +43,24 @@ inline Exact exponential_load() {
 /// \param D2 second derivative at N particles [1/length²]
 /// \param D first derivative, of which the last row is taken [1/length]
 /// \return the system's matrix: \f$u(x_1)\f$, then \f$-D^2u\f$, then \f$Du(x_N)\f$
-inline Operator<double> system(const Operator<double>& D2, const Operator<double>& D) {
+template <class Scalar>
+Operator<Scalar> system(const Operator<Scalar>& D2, const Operator<Scalar>& D) {
     const Index N = D2.rows();
-    Operator<double> A = -D2;
+    Operator<Scalar> A = -D2;
     const auto replace_row = [&](Index i, const auto& row) {
-        for (Operator<double>::InnerIterator entry(A, i); entry; ++entry) entry.valueRef() = row(entry.col());
+        for (typename Operator<Scalar>::InnerIterator entry(A, i); entry; ++entry)
+            entry.valueRef() = row(entry.col());
     };
-    replace_row(0, [](Index j) { return j == 0 ? 1.0 : 0.0; });
-    replace_row(N - 1, [&](Index j) { return D.coeff(N - 1, j); });
+    replace_row(0, [](Index j) { return Scalar(j == 0 ? 1 : 0); });
+    replace_row(N - 1, [&](Index j) -> Scalar { return D.coeff(N - 1, j); });
     return A;
 }
 
 /// The right-hand side that belongs to system(): the first displacement, the load, the last derivative.
-inline Column<double> right_hand_side(const Line<double>& line, const Exact& exact) {
+template <class Scalar>
+Column<Scalar> right_hand_side(const Line<Scalar>& line, const Exact<Scalar>& exact) {
     const Index N = line.size();
-    Column<double> f = -line.x().unaryExpr(exact.D2u);
+    Column<Scalar> f = -line.x().unaryExpr(exact.D2u);
     f[0] = exact.u(line.x()[0]);
     f[N - 1] = exact.Du(line.x()[N - 1]);
     return f;
@@ -61,24 +69,27 @@ inline Column<double> right_hand_side(const Line<double>& line, const Exact& exa
 /// Displacements at the particles.
 /// \param end the formulation whose first derivative is imposed at the last particle
 /// \throws particles::FailedComputation where the system is singular
-inline Column<double> displacement(const Formulation<double>& formulation, const Formulation<double>& end,
-                                   const numerical_tests::Particles<double>& discrete, const Exact& exact) {
+template <class Scalar>
+Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
+                            const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact) {
     const auto& [line, smoothing] = discrete;
     const auto [D, D2] = formulation.operators(line, smoothing);
-    const Operator<double> A = system(D2, &end == &formulation ? D : end.operators(line, smoothing).D);
+    const Operator<Scalar> A = system(D2, &end == &formulation ? D : end.operators(line, smoothing).D);
     return solvers::solve_banded(A, right_hand_side(line, exact));
 }
 
 /// Infinity norm of the displacement's error.
-inline double error(const Formulation<double>& formulation, const Formulation<double>& end,
-                    const numerical_tests::Particles<double>& discrete, const Exact& exact) {
-    const Column<double> u = displacement(formulation, end, discrete, exact);
-    return numerical_tests::distance<double>(u, discrete.line.x().unaryExpr(exact.u));
+template <class Scalar>
+Scalar error(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
+             const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact) {
+    const Column<Scalar> u = displacement(formulation, end, discrete, exact);
+    return numerical_tests::distance<Scalar>(u, discrete.line.x().unaryExpr(exact.u));
 }
 
 /// The same with the formulation's own derivative at the last particle, as we chose.
-inline double error(const Formulation<double>& formulation,
-                    const numerical_tests::Particles<double>& discrete, const Exact& exact) {
+template <class Scalar>
+Scalar error(const Formulation<Scalar>& formulation, const numerical_tests::Particles<Scalar>& discrete,
+             const Exact<Scalar>& exact) {
     return error(formulation, formulation, discrete, exact);
 }
 

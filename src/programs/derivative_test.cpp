@@ -6,6 +6,20 @@
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"
 
+namespace {
+
+using namespace asprone2010;
+
+/// The reader's function, or the paper's.
+template <class Scalar>
+derivative_test::Exact<Scalar> exact_function(const std::optional<std::string>& text) {
+    if (!text) return derivative_test::exponential<Scalar>();
+    const auto [value, first, second] = programs::expression<Scalar>("--function", *text);
+    return {value, first, second};
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     CLI::App app(
         "Section 5.1 of Asprone et al. (2010): errors of the first and second derivative of exp on [0, 1].",
@@ -23,13 +37,9 @@ int main(int argc, char** argv) {
            "the function B of x, smooth on [0, 1] (default exp(x)); of " + std::string(programs::vocabulary))
         ->type_name("TEXT");
 
+    programs::add_precision(app, options);
+
     return programs::run(app, argc, argv, options, [&] {
-        using namespace asprone2010;
-        derivative_test::Exact<double> exact = derivative_test::exponential<double>();
-        if (function) {
-            const auto [value, first, second] = programs::expression("--function", *function);
-            exact = {value, first, second};
-        }
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B "
@@ -42,13 +52,19 @@ int main(int argc, char** argv) {
                          {"error_second", {1e-6, 2e-10}},
                          {"error_first_interior", {1e-6, 1e-12}},
                          {"error_second_interior", {1e-6, 2e-10}}};
-        programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
-            const auto [first, second, first_interior, second_interior] = derivative_test::errors(
-                programs::formulation_named(of.formulation), programs::discretise(options, of), exact);
-            const auto cell = [](const std::optional<double>& error) {
-                return error ? report::Cell(*error) : report::Cell();
-            };
-            return {first, second, cell(first_interior), cell(second_interior)};
+        programs::in_precision(options.precision, [&](auto zero) {
+            using Scalar = decltype(zero);
+            const auto exact = exact_function<Scalar>(function);
+            programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
+                const auto errors =
+                    derivative_test::errors(programs::formulation_named<Scalar>(of.formulation),
+                                            programs::discretise<Scalar>(options, of), exact);
+                const auto cell = [](const std::optional<Scalar>& error) {
+                    return error ? report::Cell(static_cast<double>(*error)) : report::Cell();
+                };
+                return {cell(errors.first), cell(errors.second), cell(errors.first_interior),
+                        cell(errors.second_interior)};
+            });
         });
         return table;
     });

@@ -10,11 +10,15 @@
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <sstream>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "particles/errors.hpp"
+#include "particles/quad.hpp"
 #include "programs/interval.hpp"
 
 namespace programs {
@@ -22,6 +26,7 @@ namespace programs {
 using GiNaC::ex;
 using GiNaC::numeric;
 using particles::InvalidInput;
+using particles::Quad;
 
 namespace {
 
@@ -32,27 +37,82 @@ constexpr int deepest = 50, largest_exponent = 300;
 constexpr double most_bits = 4096;
 constexpr long most_work = 50'000'000;  // instructions with intervals, about a second
 
-/// A function by its name, in both papers' and GiNaC's spelling: its symbol, its value, its bounds.
+/// A function by its name, in both papers' and GiNaC's spelling: its symbol, its value in each precision, its bounds.
 struct Function {
     std::string_view name;
     ex (*symbol)(const ex&);
-    double (*value)(double);
+    std::tuple<double (*)(double), long double (*)(long double), Quad (*)(Quad)> values;
     Bounds (*bounds)(const Interval&);
+
+    template <class Scalar>
+    [[nodiscard]] Scalar value(const Scalar& a) const {
+        return std::get<Scalar (*)(Scalar)>(values)(a);
+    }
 };
+
+/// One function in each precision.
+template <class Of>
+auto in_each(Of of) {
+    return decltype(Function::values)(of, of, of);
+}
 
 const std::array<Function, 11>& functions() {
     static const std::array<Function, 11> all{{
-        {"sin", [](const ex& a) -> ex { return sin(a); }, std::sin, interval::sin},
-        {"cos", [](const ex& a) -> ex { return cos(a); }, std::cos, interval::cos},
-        {"tan", [](const ex& a) -> ex { return tan(a); }, std::tan, interval::tan},
-        {"asin", [](const ex& a) -> ex { return asin(a); }, std::asin, interval::asin},
-        {"acos", [](const ex& a) -> ex { return acos(a); }, std::acos, interval::acos},
-        {"atan", [](const ex& a) -> ex { return atan(a); }, std::atan, interval::atan},
-        {"sinh", [](const ex& a) -> ex { return sinh(a); }, std::sinh, interval::sinh},
-        {"cosh", [](const ex& a) -> ex { return cosh(a); }, std::cosh, interval::cosh},
-        {"tanh", [](const ex& a) -> ex { return tanh(a); }, std::tanh, interval::tanh},
-        {"exp", [](const ex& a) -> ex { return exp(a); }, std::exp, interval::exp},
-        {"log", [](const ex& a) -> ex { return log(a); }, std::log, interval::log},
+        {"sin", [](const ex& a) -> ex { return sin(a); }, in_each([](auto a) -> decltype(a) {
+             using std::sin;
+             return sin(a);
+         }),
+         interval::sin},
+        {"cos", [](const ex& a) -> ex { return cos(a); }, in_each([](auto a) -> decltype(a) {
+             using std::cos;
+             return cos(a);
+         }),
+         interval::cos},
+        {"tan", [](const ex& a) -> ex { return tan(a); }, in_each([](auto a) -> decltype(a) {
+             using std::tan;
+             return tan(a);
+         }),
+         interval::tan},
+        {"asin", [](const ex& a) -> ex { return asin(a); }, in_each([](auto a) -> decltype(a) {
+             using std::asin;
+             return asin(a);
+         }),
+         interval::asin},
+        {"acos", [](const ex& a) -> ex { return acos(a); }, in_each([](auto a) -> decltype(a) {
+             using std::acos;
+             return acos(a);
+         }),
+         interval::acos},
+        {"atan", [](const ex& a) -> ex { return atan(a); }, in_each([](auto a) -> decltype(a) {
+             using std::atan;
+             return atan(a);
+         }),
+         interval::atan},
+        {"sinh", [](const ex& a) -> ex { return sinh(a); }, in_each([](auto a) -> decltype(a) {
+             using std::sinh;
+             return sinh(a);
+         }),
+         interval::sinh},
+        {"cosh", [](const ex& a) -> ex { return cosh(a); }, in_each([](auto a) -> decltype(a) {
+             using std::cosh;
+             return cosh(a);
+         }),
+         interval::cosh},
+        {"tanh", [](const ex& a) -> ex { return tanh(a); }, in_each([](auto a) -> decltype(a) {
+             using std::tanh;
+             return tanh(a);
+         }),
+         interval::tanh},
+        {"exp", [](const ex& a) -> ex { return exp(a); }, in_each([](auto a) -> decltype(a) {
+             using std::exp;
+             return exp(a);
+         }),
+         interval::exp},
+        {"log", [](const ex& a) -> ex { return log(a); }, in_each([](auto a) -> decltype(a) {
+             using std::log;
+             return log(a);
+         }),
+         interval::log},
     }};
     return all;
 }
@@ -268,12 +328,26 @@ class Parser {
     int depth_ = 0;
 };
 
+/// A constant, rounded once for each precision.
+struct Number {
+    double rounded = 0;
+    Quad precise = 0;
+
+    template <class Scalar>
+    [[nodiscard]] Scalar in() const {
+        if constexpr (std::is_same_v<Scalar, double>)
+            return rounded;
+        else
+            return static_cast<Scalar>(precise);
+    }
+};
+
 /// One step of an evaluation: operands are results of earlier steps.
 struct Instruction {
     enum class Kind { number, argument, minus, plus, less, times, power, raise, call };
     Kind kind = Kind::number;
     std::size_t a = 0, b = 0;
-    double number = 0;                   ///< of `number`, and the exponent of `power`
+    Number number{};                     ///< of `number`, and the exponent of `power`
     const Function* function = nullptr;  ///< of `call`
 };
 using Kind = Instruction::Kind;
@@ -333,7 +407,7 @@ class Compiler {
     Term new_term(const ex& of) {
         if (of.is_equal(x_)) return {add({Kind::argument}), false, key_of(Kind::argument, {})};
         if (GiNaC::is_a<numeric>(of)) return number(value_of(of));
-        if (of.is_equal(GiNaC::Pi)) return number(std::numbers::pi);
+        if (of.is_equal(GiNaC::Pi)) return number({std::numbers::pi, acos(Quad(-1))});
         if (GiNaC::is_a<GiNaC::add>(of)) return sum(sorted(of));
         if (GiNaC::is_a<GiNaC::mul>(of)) return product(sorted(of));
         if (GiNaC::is_a<GiNaC::power>(of)) return power(of.op(0), of.op(1));
@@ -343,23 +417,30 @@ class Compiler {
         if (function == nullptr) throw InvalidInput("has a derivative that is not known");
         const Term argument = term(of.op(0));
         const auto which = static_cast<std::uint64_t>(function - functions().data());
-        return {add({Kind::call, signed_result(argument), 0, 0, function}), false,
+        return {add({Kind::call, signed_result(argument), 0, {}, function}), false,
                 key_of(Kind::call, {which, signed_key(argument)})};
     }
 
-    static double value_of(const ex& of) {
-        double value = std::numeric_limits<double>::quiet_NaN();
+    static Number value_of(const ex& of) {
+        const auto& number = GiNaC::ex_to<numeric>(of);
+        Number value{std::numeric_limits<double>::quiet_NaN()};
         try {
-            if (GiNaC::ex_to<numeric>(of).is_real()) value = GiNaC::ex_to<numeric>(of).to_double();
+            if (number.is_rational())
+                value = {number.to_double(), in_quad(number.numer()) / in_quad(number.denom())};
         } catch (const std::exception&) {  // beyond the range of a double
         }
-        if (!std::isfinite(value)) throw InvalidInput("a number is too large or not real");
+        if (!std::isfinite(value.rounded)) throw InvalidInput("a number is too large or not real");
         return value;
     }
+    static Quad in_quad(const numeric& whole) {
+        std::ostringstream digits;
+        digits << whole;
+        return Quad(digits.str());
+    }
 
-    Term number(double value) {
-        const double size = std::abs(value);
-        return {add({Kind::number, 0, 0, size}), std::signbit(value), number_key(size)};
+    Term number(const Number& value) {
+        const Number size{std::abs(value.rounded), abs(value.precise)};
+        return {add({Kind::number, 0, 0, size}), std::signbit(value.rounded), number_key(size.rounded)};
     }
     static std::uint64_t number_key(double size) {
         return key_of(Kind::number, {std::bit_cast<std::uint64_t>(size)});
@@ -409,8 +490,8 @@ class Compiler {
             return {add({Kind::raise, signed_result(base), signed_result(by)}), false,
                     key_of(Kind::raise, {signed_key(base), signed_key(by)})};
         }
-        const double by = value_of(exponent);
-        const auto key = std::bit_cast<std::uint64_t>(by);
+        const Number by = value_of(exponent);
+        const auto key = std::bit_cast<std::uint64_t>(by.rounded);
         if (GiNaC::ex_to<numeric>(exponent).is_integer())
             return {add({Kind::power, base.step, 0, by}),
                     base.negative && GiNaC::ex_to<numeric>(exponent).is_odd(),
@@ -424,13 +505,15 @@ class Compiler {
     std::map<ex, Term, GiNaC::ex_is_less> known_;
 };
 
-double value(const Program& program, double x) {
-    std::vector<double> result(program.size());
+template <class Scalar>
+Scalar value(const Program& program, const Scalar& x) {
+    using std::pow;
+    std::vector<Scalar> result(program.size());
     for (std::size_t k = 0; k < program.size(); ++k) {
         const auto& [kind, a, b, number, function] = program[k];
         switch (kind) {
             case Kind::number:
-                result[k] = number;
+                result[k] = number.template in<Scalar>();
                 break;
             case Kind::argument:
                 result[k] = x;
@@ -448,10 +531,10 @@ double value(const Program& program, double x) {
                 result[k] = result[a] * result[b];
                 break;
             case Kind::power:
-                result[k] = std::pow(result[a], number);
+                result[k] = pow(result[a], number.template in<Scalar>());
                 break;
             case Kind::raise:
-                result[k] = std::pow(result[a], result[b]);
+                result[k] = pow(result[a], result[b]);
                 break;
             case Kind::call:
                 result[k] = function->value(result[a]);
@@ -468,7 +551,7 @@ bool bounded(const Program& program, const Interval& x, std::vector<Interval>& r
         Bounds step;
         switch (kind) {
             case Kind::number:
-                step = Interval{number, number};
+                step = Interval{number.rounded, number.rounded};
                 break;
             case Kind::argument:
                 step = x;
@@ -486,7 +569,7 @@ bool bounded(const Program& program, const Interval& x, std::vector<Interval>& r
                 step = interval::times(results[a], results[b]);
                 break;
             case Kind::power:
-                step = interval::power(results[a], number);
+                step = interval::power(results[a], number.rounded);
                 break;
             case Kind::raise:
                 step = interval::power(results[a], results[b]);
@@ -529,18 +612,20 @@ std::size_t terms(const ex& of) {
     return count;
 }
 
-std::function<double(double)> callable(Program program) {
-    return [program = std::move(program)](double x) { return value(program, x); };
+template <class Scalar>
+std::function<Scalar(const Scalar&)> callable(Program program) {
+    return [program = std::move(program)](const Scalar& x) { return value(program, x); };
 }
 
 }  // namespace
 
-Expression expression(const std::string& option, const std::string& text) {
+template <class Scalar>
+Expression<Scalar> expression(const std::string& option, const std::string& text) {
     try {
         const GiNaC::realsymbol x("x");
         const std::array<const char*, 3> what{"the function", "its first derivative",
                                               "its second derivative"};
-        std::array<std::function<double(double)>, 3> derivative;
+        std::array<std::function<Scalar(const Scalar&)>, 3> derivative;
         ex of = Parser(text, x).parsed();
         for (std::size_t k = 0; k < derivative.size(); ++k) {
             if (k > 0) try {
@@ -551,12 +636,16 @@ Expression expression(const std::string& option, const std::string& text) {
             if (terms(of) > most_terms) throw InvalidInput(too_long);
             Program program = Compiler(x).compiled(of);
             check_bounded(program, what[k]);
-            derivative[k] = callable(std::move(program));
+            derivative[k] = callable<Scalar>(std::move(program));
         }
         return {derivative[0], derivative[1], derivative[2]};
     } catch (const InvalidInput& error) {
         throw InvalidInput(option + ": " + quoted(text) + " : " + error.what());
     }
 }
+
+template Expression<double> expression(const std::string&, const std::string&);
+template Expression<long double> expression(const std::string&, const std::string&);
+template Expression<Quad> expression(const std::string&, const std::string&);
 
 }  // namespace programs

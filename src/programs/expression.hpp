@@ -10,8 +10,11 @@ inline constexpr const char* vocabulary =
     "numbers, x, pi, e, + - * / ^ ( ), sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt";
 
 /// A function of x on [0, 1] with its first and second derivative, as typed on a command line.
+/// \tparam Scalar double, long double or particles::Quad
+template <class Scalar = double>
 struct Expression {
-    std::function<double(double)> value, first, second;  ///< may be called from several threads at once
+    std::function<Scalar(const Scalar&)> value, first,
+        second;  ///< may be called from several threads at once
 };
 
 /// Reads an expression such as `sin(5*x)+x^2` and differentiates it exactly, by GiNaC.
@@ -27,6 +30,7 @@ struct Expression {
 /// \param option what the text belongs to, for messages
 /// \throws particles::InvalidInput, in one line, naming the character that cannot be read, or the place where the function or
 ///         a derivative is not bounded
-Expression expression(const std::string& option, const std::string& text);
+template <class Scalar = double>
+Expression<Scalar> expression(const std::string& option, const std::string& text);
 
 }  // namespace programs

@@ -8,9 +8,12 @@ namespace programs {
 
 /// The formulations of asprone2010 and, as an eighth, the SSPH basis of batra2008 in one dimension, "ssph": what the three
 /// numerical tests can compare.
-const std::vector<asprone2010::Formulation<double>>& formulations();
+/// \tparam Scalar double, long double or particles::Quad
+template <class Scalar = double>
+const std::vector<asprone2010::Formulation<Scalar>>& formulations();
 
 /// \throws particles::InvalidInput for a name that no formulation has
-const asprone2010::Formulation<double>& formulation_named(std::string_view wanted);
+template <class Scalar = double>
+const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted);
 
 }  // namespace programs

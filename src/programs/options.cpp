@@ -105,6 +105,14 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
         ->type_name("FILE");
 }
 
+void add_precision(CLI::App& app, Options& options) {
+    app.add_option(
+           "--precision", options.precision,
+           "of the computation: double (default), long (about 19 digits) or quad (34 digits, some fifty "
+           "times slower); positions of a file keep those of a double")
+        ->type_name("NAME");
+}
+
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
     const std::vector<std::string> known = known_formulations(extra);
     std::vector<std::string> wanted = options.formulations;
@@ -133,15 +141,6 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
 std::array<Cell, 2> drawn(const Options& options, const Case& of) {
     if (options.positions.size() > 0) return {};
     return {of.perturbation, static_cast<long>(of.seed)};
-}
-
-asprone2010::numerical_tests::Particles<double> discretise(const Options& options, const Case& of) {
-    const asprone2010::numerical_tests::Discretisation how{
-        particles::volumes_named(options.volumes), particles::kernel_named(options.kernel), options.smoothing,
-        of.perturbation, particles::spacing_named(options.smoothing_from)};
-    return options.positions.size() > 0
-               ? asprone2010::numerical_tests::discretise<double>(how, options.positions)
-               : asprone2010::numerical_tests::discretise<double>(how, of.particles, of.seed);
 }
 
 void tabulate(report::Table& table, const Options& options,
@@ -216,6 +215,7 @@ std::vector<std::string> described(const Options& options) {
                     [](double a) { return a != 0; }))
         parameters += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
                       std::to_string(options.seed + options.seeds - 1);
+    if (options.precision != "double") parameters += ", precision " + options.precision;
     std::vector<std::string> comments{parameters};
     if (!equations.empty()) comments.insert(comments.begin(), equations);
     return comments;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
+#include "particles/quad.hpp"
 #include "report/table.hpp"
 
 /// One main per numerical test: it reads options, calls one section and writes one table.
@@ -23,6 +24,7 @@ struct Options {
     std::string kernel = "gaussian";
     double smoothing = 1;
     std::string smoothing_from = "mean";
+    std::string precision = "double";
     std::vector<double> perturbations{0};
     unsigned long seed = 1;
     unsigned long seeds = 1;
@@ -37,6 +39,19 @@ std::vector<long> four_a_doubling();
 /// The options of a numerical test, added to its command line.
 /// \param extra formulation names that the program knows beside those of formulations.hpp
 void add_options(CLI::App& app, Options& options, const std::vector<std::string>& extra = {});
+
+/// The option --precision, for a program that computes in any.
+void add_precision(CLI::App& app, Options& options);
+
+/// Calls `work(Scalar())` with the scalar of a precision: double, long (double) or quad. A zero has the type to compute with.
+/// \throws particles::InvalidInput for another name
+template <class Work>
+auto in_precision(const std::string& name, const Work& work) {
+    if (name == "double") return work(double());
+    if (name == "long") return work(static_cast<long double>(0));
+    if (name == "quad") return work(particles::Quad());
+    throw particles::InvalidInput("there is no precision '" + name + "'; choose double, long or quad");
+}
 
 /// One thing to compute: a formulation on one line of particles.
 struct Case {
@@ -54,7 +69,16 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
 std::array<report::Cell, 2> drawn(const Options& options, const Case& of);
 
 /// The discretisation of a case.
-asprone2010::numerical_tests::Particles<double> discretise(const Options& options, const Case& of);
+template <class Scalar = double>
+asprone2010::numerical_tests::Particles<Scalar> discretise(const Options& options, const Case& of) {
+    const asprone2010::numerical_tests::Discretisation how{
+        particles::volumes_named(options.volumes), particles::kernel_named(options.kernel), options.smoothing,
+        of.perturbation, particles::spacing_named(options.smoothing_from)};
+    if (options.positions.size() == 0)
+        return asprone2010::numerical_tests::discretise<Scalar>(how, of.particles, of.seed);
+    const particles::Column<Scalar> x = options.positions.cast<Scalar>();
+    return asprone2010::numerical_tests::discretise<Scalar>(how, x);
+}
 
 /// Computes the numbers of every case in parallel, with progress on a terminal, and appends them to the table behind the
 /// columns formulation, particles, spacing, perturbation and seed. With --median, the seeds of a case become one row: the

@@ -6,6 +6,20 @@
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"
 
+namespace {
+
+using namespace asprone2010;
+
+/// The reader's displacement, or the paper's.
+template <class Scalar>
+static_test::Exact<Scalar> exact_displacement(const std::optional<std::string>& text) {
+    if (!text) return static_test::exponential_load<Scalar>();
+    const auto [value, first, second] = programs::expression<Scalar>("--displacement", *text);
+    return {value, first, second};
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     CLI::App app(
         "Section 5.2 of Asprone et al. (2010): displacement error of an elastic rod, -u'' = exp, u(0) = "
@@ -30,13 +44,9 @@ int main(int argc, char** argv) {
                        std::string(programs::vocabulary))
         ->type_name("TEXT");
 
+    programs::add_precision(app, options);
+
     return programs::run(app, argc, argv, options, [&] {
-        using namespace asprone2010;
-        static_test::Exact exact = static_test::exponential_load();
-        if (displacement) {
-            const auto [value, first, second] = programs::expression("--displacement", *displacement);
-            exact = {value, first, second};
-        }
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.2, Figure 2: infinity norm of the displacement's error, (45) "
@@ -45,10 +55,15 @@ int main(int argc, char** argv) {
         for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
         if (!end.empty()) table.comments.push_back("derivative at x = 1 by " + end);
         table.columns = {{"error_displacement", {1e-6, 5e-10}}};
-        programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
-            return {static_test::error(programs::formulation_named(of.formulation),
-                                       programs::formulation_named(end.empty() ? of.formulation : end),
-                                       programs::discretise(options, of), exact)};
+        programs::in_precision(options.precision, [&](auto zero) {
+            using Scalar = decltype(zero);
+            const auto exact = exact_displacement<Scalar>(displacement);
+            programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
+                return {static_cast<double>(static_test::error(
+                    programs::formulation_named<Scalar>(of.formulation),
+                    programs::formulation_named<Scalar>(end.empty() ? of.formulation : end),
+                    programs::discretise<Scalar>(options, of), exact))};
+            });
         });
         return table;
     });

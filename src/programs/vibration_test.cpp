@@ -1,7 +1,34 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
+#include "asprone2010/limit_stencils.hpp"
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"
+
+namespace {
+
+using namespace asprone2010;
+
+/// What the symbol of D² makes of the N − 2 waves that vanish at both ends of the line: their frequencies in increasing order.
+/// None for the finite elements and for particles that do not lie on a lattice.
+std::vector<double> symbol_frequencies(const programs::Options& options, const programs::Case& of) {
+    if (of.formulation.starts_with("fem") || of.perturbation != 0 || options.positions.size() > 0) return {};
+    const numerical_tests::Discretisation how{particles::volumes_named(options.volumes),
+                                              particles::kernel_named(options.kernel), options.smoothing};
+    const Index rows = limit_stencils::first_interior<double>(how);
+    const auto [line, smoothing] = limit_stencils::right_end<double>(how, rows, 1.0);
+    const auto operators = programs::formulation_named(of.formulation).operators(line, smoothing);
+    const auto inside = limit_stencils::row<double>(operators.D2, line, line.size() - 1 - rows, 1.0, 2);
+    std::vector<double> frequencies;
+    for (Index n = 1; n + 1 < of.particles; ++n) {
+        const double theta = vibration_test::exact_frequency(n) / static_cast<double>(of.particles - 1);
+        const double lambda = limit_stencils::symbol(inside, theta);
+        frequencies.push_back(std::sqrt(std::max(-lambda, 0.0)) * static_cast<double>(of.particles - 1));
+    }
+    std::sort(frequencies.begin(), frequencies.end());
+    return frequencies;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     CLI::App app(
@@ -17,7 +44,6 @@ int main(int argc, char** argv) {
     programs::add_options(app, options, references);
 
     return programs::run(app, argc, argv, options, [&] {
-        using namespace asprone2010;
         using vibration_test::Mass;
         if (options.median)
             throw particles::InvalidInput("vibration_test has no --median: a spectrum is a row per mode");
@@ -25,7 +51,10 @@ int main(int argc, char** argv) {
         table.comments = {
             "Asprone et al. (2010), Section 5.3, Figure 3: frequencies sqrt(-lambda) of (52) against (51), "
             "omega_n = pi n",
-            "fem_lumped, fem_consistent: linear finite elements between the same particles"};
+            "fem_lumped, fem_consistent: linear finite elements between the same particles",
+            "ratio_symbol: the same of the symbol of D2 on an infinite lattice, at the waves that fit "
+            "between the "
+            "ends; empty where particles do not lie on a lattice"};
         for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
         table.columns = {{"formulation"},
                          {"particles"},
@@ -35,7 +64,8 @@ int main(int argc, char** argv) {
                          {"frequency", {1e-8, 1e-8}},
                          {"frequency_imaginary", {1e-8, 1e-8}},
                          {"exact"},
-                         {"ratio", {1e-8, 1e-9}}};
+                         {"ratio", {1e-8, 1e-9}},
+                         {"ratio_symbol", {1e-8, 1e-9}}};
         for (const programs::Case& of : programs::cases(options, references)) {
             const auto discrete = programs::discretise(options, of);
             if (of.particles < 3)
@@ -47,13 +77,15 @@ int main(int argc, char** argv) {
                 : of.formulation == "fem_consistent"
                     ? vibration_test::finite_element_frequencies(discrete.line, Mass::consistent)
                     : vibration_test::frequencies(programs::formulation_named(of.formulation), discrete);
+            const std::vector<double> symbol = symbol_frequencies(options, of);
             const auto [perturbation, seed] = programs::drawn(options, of);
             for (std::size_t k = 0; k < frequencies.size(); ++k) {
                 const auto n = static_cast<Index>(k + 1);
                 const double exact = vibration_test::exact_frequency(n);
                 table.rows.push_back({of.formulation, static_cast<long>(of.particles), perturbation, seed,
                                       static_cast<long>(n), frequencies[k].real(), frequencies[k].imag(),
-                                      exact, frequencies[k].real() / exact});
+                                      exact, frequencies[k].real() / exact,
+                                      symbol.empty() ? report::Cell() : report::Cell(symbol[k] / exact)});
             }
         }
         return table;

@@ -3,6 +3,7 @@
 #include <lapacke.h>
 
 #include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,6 +62,32 @@ inline Eigen::ArrayXd solve_banded(const Eigen::SparseMatrix<double, Eigen::RowM
     LAPACKE_dgbtrs(LAPACK_COL_MAJOR, 'N', N, below, above, 1, band.data(), height, pivots.data(), x.data(),
                    N);
     return x;
+}
+
+/// The same in any other precision, by Eigen's sparse factorisation with row exchanges in the order of the unknowns, which keeps
+/// the band. \throws particles::FailedComputation where a pivot vanishes or an entry is not finite
+template <class Scalar>
+Eigen::Array<Scalar, Eigen::Dynamic, 1> solve_banded(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor>& A,
+                                                     const Eigen::Array<Scalar, Eigen::Dynamic, 1>& b) {
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    Vector scale = Vector::Zero(A.rows());
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (typename Eigen::SparseMatrix<Scalar, Eigen::RowMajor>::InnerIterator entry(A, i); entry;
+             ++entry) {
+            using std::abs;
+            const Scalar size = abs(entry.value());
+            if (size > scale[i]) scale[i] = size;
+        }
+    const Vector per_row = scale.cwiseInverse();
+    if (!per_row.allFinite() || !b.allFinite())
+        throw particles::FailedComputation("the linear system has rows that are zero or not finite");
+    const Eigen::SparseMatrix<Scalar> scaled = per_row.asDiagonal() * A;
+    Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::NaturalOrdering<int>> factors(scaled);
+    if (factors.info() != Eigen::Success)
+        throw particles::FailedComputation(
+            "the linear system of " + std::to_string(A.rows()) +
+            " unknowns is singular; take another formulation or other particles");
+    return factors.solve(Vector(b.matrix().cwiseProduct(per_row))).array();
 }
 
 }  // namespace solvers

@@ -46,8 +46,8 @@ TEST_CASE(
     CHECK(A.row(0) == Eigen::RowVectorXd::Unit(30, 0));
     CHECK(A.middleRows(1, 28) == -Eigen::MatrixXd(operators.D2).middleRows(1, 28));
     CHECK(A.row(29) == Eigen::MatrixXd(operators.D).row(29));
-    const static_test::Exact exact{[](double x) { return 5 + x; }, [](double x) { return 7 + x; },
-                                   [](double x) { return 9 * x; }};
+    const static_test::Exact<> exact{[](double x) { return 5 + x; }, [](double x) { return 7 + x; },
+                                     [](double x) { return 9 * x; }};
     const Column<double> f = static_test::right_hand_side(line, exact);
     CHECK(f[0] == 5);
     CHECK(f[10] == -9 * line.x()[10]);
@@ -55,8 +55,8 @@ TEST_CASE(
 }
 
 TEST_CASE("5.2: a parabola is solved exactly by the formulations that differentiate it exactly") {
-    const static_test::Exact parabola{[](double x) { return 1 + 2 * x - 3 * x * x; },
-                                      [](double x) { return 2 - 6 * x; }, [](double) { return -6.0; }};
+    const static_test::Exact<> parabola{[](double x) { return 1 + 2 * x - 3 * x * x; },
+                                        [](double x) { return 2 - 6 * x; }, [](double) { return -6.0; }};
     for (const char* name : {"modified_fpm", "second_order_fpm"})
         CHECK(static_test::error(formulation_named<double>(name),
                                  particles_of(50, {Volumes::partition, Gaussian{}, 1, 0.4}),

@@ -345,7 +345,8 @@ TEST_CASE("region: a smooth function's integral converges over every form of a d
     }
 }
 
-TEST_CASE("region: a place lies in a region, on its boundary, or outside, up to a hundred-millionth of the size") {
+TEST_CASE(
+    "region: a place lies in a region, on its boundary, or outside, up to a hundred-millionth of the size") {
     const Region region = quarter(0.4, 1.5);
     for (const Point<2>& inside : {Point<2>(0.7, 0.7), Point<2>(0.4, 0), Point<2>(0, 0.4), Point<2>(1.5, 1.5),
                                    Point<2>(1.5 + 1e-9, 0.3), Point<2>(0.9, -1e-9)})

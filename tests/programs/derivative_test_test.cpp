@@ -74,3 +74,27 @@ TEST_CASE("derivative_test: --function is differentiated, and named in the table
         for (const char* column : {"error_first", "error_second"})
             CHECK(std::get<double>(table.rows[row][table.column(column)]) < 1e-9);
 }
+
+TEST_CASE(
+    "derivative_test: in quad precision the order of second_order_fpm is two where double has drowned") {
+    const auto table = report::parsed(
+        run("derivative_test --formulation second_order_fpm --precision quad --particles 2000,20000").output);
+    const auto error = [&](std::size_t row) {
+        return std::get<double>(table.rows[row][table.column("error_second")]);
+    };
+    CHECK(std::log(error(0) / error(1)) / std::log(19999.0 / 1999) == support::relative(2, 0.0025));
+}
+
+TEST_CASE("derivative_test: the reader's function in each precision; another precision is refused") {
+    const std::string command = "derivative_test --function 'sin(5*x)+x^2/3' --particles 37";
+    const auto in_double = report::parsed(run(command).output);
+    for (const char* precision : {"long", "quad"}) {
+        const auto table = report::parsed(run(command + " --precision " + precision).output);
+        for (std::size_t row = 0; row < table.rows.size(); ++row)
+            CHECK(std::get<double>(table.rows[row][table.column("error_second")]) ==
+                  support::relative(std::get<double>(in_double.rows[row][in_double.column("error_second")]),
+                                    1e-6));
+    }
+    programs::check_refused("derivative_test --precision half", 2,
+                            "there is no precision 'half'; choose double, long or quad");
+}

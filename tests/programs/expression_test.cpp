@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "particles/errors.hpp"
+#include "particles/quad.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/relative.hpp"
@@ -14,8 +15,8 @@ using namespace programs;
 
 namespace {
 
-Expression read(const std::string& text) {
-    return expression("--function", text);
+Expression<> read(const std::string& text) {
+    return expression<double>("--function", text);
 }
 
 std::string refusal(const std::string& text) {
@@ -238,4 +239,12 @@ TEST_CASE("expression: the same bytes in every run") {
     for (int k = 0; k < 12; ++k) outputs.insert(run(command).output);
     CHECK(outputs.size() == 1);
     CHECK(report::parsed(*outputs.begin()).rows.size() == 1);
+}
+
+TEST_CASE("expression: in quad precision, numbers, constants and functions have its digits") {
+    const auto f = expression<particles::Quad>("--function", "sin(0.1*pi*x)/3 + x^(1/3)*0 + sqrt(2)*x");
+    const particles::Quad x = particles::Quad(3) / 7, pi = acos(particles::Quad(-1));
+    const particles::Quad exact = sin(pi * x / 10) / 3 + sqrt(particles::Quad(2)) * x;
+    CHECK(abs(f.value(x) - exact) < 1e-33);
+    CHECK(abs(f.first(x) - (pi / 30 * cos(pi * x / 10) + sqrt(particles::Quad(2)))) < 1e-33);
 }

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/relative.hpp"
@@ -54,4 +56,13 @@ TEST_CASE("static_test: load and end values follow from --displacement") {
                            .output);
     CHECK(std::get<double>(sine.rows[0].back()) / std::get<double>(sine.rows[1].back()) ==
           support::relative(4, 0.05));
+}
+
+TEST_CASE("static_test: in quad precision second_order_fpm keeps order two") {
+    const auto table = report::parsed(
+        run("static_test --formulation second_order_fpm --precision quad --particles 1000,10000").output);
+    const auto error = [&](std::size_t row) {
+        return std::get<double>(table.rows[row][table.column("error_displacement")]);
+    };
+    CHECK(std::log(error(0) / error(1)) / std::log(9999.0 / 999) == support::relative(2, 0.0025));
 }

@@ -1,0 +1,93 @@
+#include <gsl/gsl_statistics_double.h>
+
+#include "asprone2010/section_5_1_derivative_test.hpp"
+#include "asprone2010/section_5_2_static_test.hpp"
+#include "particles/parallel.hpp"
+#include "programs/formulations.hpp"
+#include "programs/options.hpp"
+
+namespace {
+
+using namespace asprone2010;
+
+/// Errors of DB, D²B and u for exp on every draw of perturbed particles, each in increasing order.
+std::array<std::vector<double>, 3> sorted_errors(const std::string& name, Index N, double perturbation,
+                                                 unsigned long seeds) {
+    const auto& formulation = programs::formulation_named(name);
+    std::array<std::vector<double>, 3> errors;
+    for (auto& sample : errors) sample.resize(seeds);
+    particles::for_each_index(static_cast<Index>(seeds), [&](Index k) {
+        const auto at = static_cast<std::size_t>(k);
+        numerical_tests::Discretisation how;
+        how.perturbation = perturbation;
+        const auto discrete = numerical_tests::discretise<double>(how, N, at + 1);
+        const auto derivatives =
+            derivative_test::errors(formulation, discrete, derivative_test::exponential());
+        errors[0][at] = derivatives.first;
+        errors[1][at] = derivatives.second;
+        errors[2][at] = static_test::error(formulation, discrete, static_test::exponential_load());
+    });
+    for (auto& sample : errors) std::sort(sample.begin(), sample.end());
+    return errors;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app(
+        "The distribution of the errors of DB, D2B and u for exp over many draws of perturbed particles: "
+        "percentiles.",
+        "draws");
+    app.footer("Example: draws --formulation modified_fpm,second_order_fpm --particles 160 --seeds 1000");
+    std::vector<std::string> wanted{"all"};
+    long N = 160;
+    double perturbation = 0.25;
+    unsigned long seeds = 1000;
+    int threads = 0;
+    std::string output;
+    app.add_option("--formulation", wanted, "which formulations (default all)")
+        ->delimiter(',')
+        ->type_name("NAME[,NAME...]");
+    app.add_option("--particles", N, "number of particles (default 160)")->type_name("N");
+    app.add_option("--perturb", perturbation, "amplitude of the perturbation in spacings (default 0.25)")
+        ->type_name("A");
+    app.add_option("--seeds", seeds, "draws: seeds 1, 2, ... (default 1000)")
+        ->type_name("K")
+        ->check(CLI::Range(2UL, 1000000UL));
+    app.add_option("--threads", threads, "how many threads (default: all)")
+        ->type_name("T")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+
+    return programs::run(app, argc, argv, threads, output, [&] {
+        if (wanted == std::vector<std::string>{"all"}) {
+            wanted.clear();
+            for (const auto& of : programs::formulations()) wanted.emplace_back(of.name);
+        }
+        report::Table table;
+        table.comments = {
+            "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section "
+            "5.2) "
+            "over seeds 1 to " +
+                std::to_string(seeds),
+            std::to_string(N) + " particles, perturbed by " + particles::shown(perturbation) +
+                " delta, kernel gaussian, h/delta 1, volumes equal"};
+        table.columns = {{"formulation"},
+                         {"percentile"},
+                         {"error_first", {1e-6, 1e-12}},
+                         {"error_second", {1e-6, 2e-10}},
+                         {"error_displacement", {1e-6, 5e-10}}};
+        for (const std::string& name : wanted) {
+            const auto errors = sorted_errors(name, N, perturbation, seeds);
+            for (long percent = 0; percent <= 100; ++percent) {
+                const auto quantile = [&](const std::vector<double>& sample) {
+                    return gsl_stats_quantile_from_sorted_data(sample.data(), 1, sample.size(),
+                                                               static_cast<double>(percent) / 100);
+                };
+                table.rows.push_back(
+                    {name, percent, quantile(errors[0]), quantile(errors[1]), quantile(errors[2])});
+            }
+        }
+        return table;
+    });
+}
