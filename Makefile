@@ -1,5 +1,5 @@
 # Targets that answer `make help` carry their line of help behind two hashes.
-# Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE.
+# Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE; for install PREFIX and DESTDIR.
 SHELL := /bin/bash
 .ONESHELL:
 .SHELLFLAGS := -eu -o pipefail -c
@@ -20,7 +20,7 @@ LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
 PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev \
-            libginac-dev libboost-dev libcli11-dev doctest-dev
+            libginac-dev libboost-dev libcli11-dev doctest-dev pkg-config
 goals := $(filter-out setup,$(MAKECMDGOALS))
 PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
@@ -76,7 +76,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings figures check claims doc check-doc verify clean
+.PHONY: help setup build data timings figures check claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -138,6 +138,34 @@ verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare
 	$(bin)/walkthrough --readme $(BUILD)/verify/README.md --check-readme || failed=1
 	exit $$failed
 
+# Installed are the headers of the methods and of what they stand on, not the claims'. One of them has a source file,
+# section_4_example_problems: it becomes a small static library.
+PREFIX ?= /usr/local
+headers := $(filter-out %/claims.hpp,$(wildcard $(patsubst %,src/%/*.hpp,particles solvers $(papers))))
+define install_below
+	prefix=$$(realpath -ms -- "$(1)")
+	root="$(2)$$prefix"
+	for header in $(headers); do
+	    install -D -m 644 "$$header" "$$root/include/particle-methods/$${header#src/}"
+	done
+	install -D -m 644 -t "$$root/lib" $(BUILD)/libparticle-methods.a
+	install -d "$$root/lib/pkgconfig"
+	{ echo "prefix=$${prefix// /\\ }"; cat src/particle-methods.pc; } > "$$root/lib/pkgconfig/particle-methods.pc"
+	echo "installed below $$root"
+endef
+
+install: $(BUILD)/libparticle-methods.a ## install headers, library and particle-methods.pc below PREFIX (default /usr/local)
+	@$(call install_below,$(PREFIX),$(DESTDIR))
+
+examples: $(BUILD)/libparticle-methods.a ## build and run the example as a user would: outside of the tree, on what install installs
+	@$(call install_below,$(BUILD)/install,)
+	export PKG_CONFIG_PATH="$$prefix/lib/pkgconfig"
+	folder=$$(mktemp -d)
+	trap 'rm -rf "$$folder"' EXIT
+	cp examples/* "$$folder"
+	$(MAKE) --no-print-directory -C "$$folder"
+	"$$folder/heat_equation"
+
 clean: ## remove what was built
 	rm -rf $(BUILD)
 
@@ -167,6 +195,10 @@ $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+
+$(BUILD)/libparticle-methods.a: $(BUILD)/src/batra2008/section_4_example_problems.o
+	@rm -f $@
+	ar rcs $@ $^
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 

@@ -1,35 +1,47 @@
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <algorithm>
+#include <lapacke.h>
+
+#include <Eigen/Core>
 #include <complex>
+#include <string>
 #include <vector>
 
 #include "particles/errors.hpp"
 
 namespace solvers {
 
-/// All eigenvalues of a square matrix, in no particular order.
-/// \throws particles::FailedComputation where the iteration does not converge
-inline std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& K) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> spectrum(K, /* computeEigenvectors */ false);
-    if (spectrum.info() != Eigen::Success)
-        throw particles::FailedComputation("the eigenvalues of a matrix of " + std::to_string(K.rows()) +
+/// All eigenvalues of a square matrix, in no particular order, by LAPACK's dgeev.
+/// \throws particles::FailedComputation where an entry is not finite or the iteration does not converge
+inline std::vector<std::complex<double>> eigenvalues(Eigen::MatrixXd K) {
+    const auto N = static_cast<lapack_int>(K.rows());
+    Eigen::VectorXd real(N), imaginary(N);
+    // A matrix without rows has no leading dimension that LAPACK would take.
+    const lapack_int failed = N == 0 ? 0
+                                     : LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'N', N, K.data(), N, real.data(),
+                                                     imaginary.data(), nullptr, 1, nullptr, 1);
+    if (failed != 0)
+        throw particles::FailedComputation("the eigenvalues of a matrix of " + std::to_string(N) +
                                            " rows were not found");
-    return {spectrum.eigenvalues().begin(), spectrum.eigenvalues().end()};
+    std::vector<std::complex<double>> all;
+    for (lapack_int k = 0; k < N; ++k) all.emplace_back(real[k], imaginary[k]);
+    return all;
 }
 
-/// All eigenvalues of \f$K x = \lambda M x\f$, both matrices symmetric and M positive definite, in increasing order.
+/// All eigenvalues of \f$K x = \lambda M x\f$, both matrices symmetric and M positive definite, in increasing order, by LAPACK's
+/// dsygv.
 /// \throws particles::FailedComputation where M is not positive definite or the iteration does not converge
-inline std::vector<double> symmetric_eigenvalues(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M) {
-    if (Eigen::LLT<Eigen::MatrixXd>(M).info() != Eigen::Success)
+inline std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::MatrixXd M) {
+    const auto N = static_cast<lapack_int>(K.rows());
+    std::vector<double> all(static_cast<std::size_t>(N));
+    const lapack_int failed =
+        N == 0 ? 0 : LAPACKE_dsygv(LAPACK_COL_MAJOR, 1, 'N', 'L', N, K.data(), N, M.data(), N, all.data());
+    if (failed > N)
         throw particles::FailedComputation("the mass matrix is not positive definite");
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(K, M, Eigen::EigenvaluesOnly);
-    if (spectrum.info() != Eigen::Success)
-        throw particles::FailedComputation("the eigenvalues of a symmetric problem of " +
-                                           std::to_string(K.rows()) + " rows were not found");
-    return {spectrum.eigenvalues().begin(), spectrum.eigenvalues().end()};
+    if (failed != 0)
+        throw particles::FailedComputation("the eigenvalues of a symmetric problem of " + std::to_string(N) +
+                                           " rows were not found");
+    return all;
 }
 
 }  // namespace solvers
