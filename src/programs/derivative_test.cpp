@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
         "Another: derivative_test --function \"sin(5*x)+x^2\" --particles 37");
     programs::Options options;
     options.particles = programs::four_a_doubling();
+    options.figure = {"asprone2010/figure_1.gp", "formulation", "particles", "error_second"};
     programs::add_options(app, options);
 
     std::optional<std::string> function;
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
         if (function) {
             const auto [value, first, second] = programs::expression("--function", *function);
             exact = {value, first, second};
+            options.figure.told["function"] = *function;
         }
         report::Table table;
         table.comments = {

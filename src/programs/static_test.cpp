@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
         "Another: static_test --displacement \"x*exp(-x)+sin(3*x)\" --particles 53");
     programs::Options options;
     options.particles = programs::four_a_doubling();
+    options.figure = {"asprone2010/figure_2.gp", "formulation", "particles", "error_displacement"};
     programs::add_options(app, options);
 
     std::string end;
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
         if (displacement) {
             const auto [value, first, second] = programs::expression("--displacement", *displacement);
             exact = {value, first, second};
+            options.figure.told["displacement"] = *displacement;
         }
         report::Table table;
         table.comments = {
