@@ -28,7 +28,7 @@ PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) \
-            $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp))
+            $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 
@@ -162,7 +162,7 @@ examples: $(BUILD)/libparticle-methods.a ## build and run the example as a user 
 	export PKG_CONFIG_PATH="$$prefix/lib/pkgconfig"
 	folder=$$(mktemp -d)
 	trap 'rm -rf "$$folder"' EXIT
-	cp examples/* "$$folder"
+	cp examples/Makefile examples/*.cpp "$$folder"
 	$(MAKE) --no-print-directory -C "$$folder"
 	"$$folder/heat_equation"
 
@@ -178,6 +178,8 @@ $(BUILD)/flags: FORCE $(filter setup,$(MAKECMDGOALS))
 .PHONY: FORCE
 FORCE:
 
+# Where the scripts of the figures lie, for --plot.
+$(BUILD)/src/programs/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "compile $<"

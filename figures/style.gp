@@ -68,3 +68,26 @@ method(name) = strcol("method") eq name ? 1 : NaN
 # Colours for a quantity that grows, and for one that has two signs: both grow evenly in lightness.
 sequential = "set palette defined (0 '#fdf3d8', 0.25 '#e5b58a', 0.5 '#bf7772', 0.75 '#7d4273', 1 '#2a1e4f')"
 diverging = "set palette defined (-1 '#12406b', -0.5 '#6fa2cc', 0 '#f7f7f5', 0.5 '#dd9668', 1 '#7a2a0d')"
+
+# A user's case. A program that draws its own table tells in words of it: curves, values of x, perturbations, and the ranges
+# x_least to x_most, y_least to y_most of what it drew; parameters, where they are not the paper's. Without these a script
+# draws the paper's figure.
+user = exists("curves")
+parameters_below = exists("parameters") ? "\n" . parameters : ""
+has(name) = !user || strstrt(" " . columns . " ", " " . name . " ") > 0
+# Whether a triangle lies within the data.
+holds(N, e, factor, order) = !user || (x_least <= N && N * factor <= x_most && y_least <= e && e * factor**order <= y_most)
+decade_below(y) = 10**floor(log10(y) - 1e-9)
+decade_above(y) = 10**ceil(log10(y) + 1e-9)
+if (user) { x_least = x_least + 0; x_most = x_most + 0; y_least = y_least + 0; y_most = y_most + 0 }
+# Rows of a formulation with one perturbation; of particles from a file no perturbation is known.
+row(name, p) = of(name) * (p eq "" || strcol("perturbation") eq p ? 1 : NaN)
+moved_by(p) = p eq "" ? "particles of a file" : p eq "0" ? "uniform particles" : "particles perturbed by " . p . " δ"
+# The numbers of particles N on an axis: all of a few, else the paper's and on in doublings.
+set_N = "set xrange [9:3000]; set xtics (10, '' 20, 40, '' 80, 160, '' 320, 640, '' 1280, 2560)"
+if (user) {
+    set_N = sprintf("set xrange [%g:%g]; set xtics (", 0.9 * x_least, 1.1719 * x_most)
+    if (words(values) < 9) { do for [k = 1:words(values)] { set_N = set_N . (k > 1 ? ", " : "") . word(values, k) } }
+    else { do for [k = 0:14] { set_N = set_N . (k > 0 ? ", " : "") . sprintf(k % 2 ? "'' %d" : "%d", 10 * 2**k) } }
+    set_N = set_N . ")"
+}

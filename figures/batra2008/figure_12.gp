@@ -6,10 +6,19 @@ set title "Convergence, plate"
 set logscale x
 set xlabel "distance between particles in m"
 set ylabel "log_{10} E"
-set xrange [0.009:0.085]
-set xtics ("1/90" 1.0/90, "1/60" 1.0/60, "1/30" 1.0/30, "1/15" 1.0/15)
-set object 1 polygon from 0.03,-3.6 to 0.06,-3.6 to 0.06,-2.998 to 0.03,-3.6 fillstyle empty border linecolor rgb "#666666"
-set label 1 "2" at 0.0615,-3.3 textcolor rgb "#666666"
-set label 2 "1" at 0.0424,-3.72 center textcolor rgb "#666666"
-plot for [name in methods] table using (method(name) / (column("nx") - 1)):"log_error_dn" \
+if (!user) { x_least = 16; x_most = 91; values = "91 61 31 16"; curves = methods }
+set xrange [(user ? 0.8 / (x_most - 1) : 0.009):(user ? 1.25 / (x_least - 1) : 0.085)]
+distances = ""
+do for [k = 1:words(values)] {
+    n = word(values, k) - 1
+    distances = distances . sprintf("%s'1/%d' %.17g", k > 1 ? ", " : "", n, 1.0 / n)
+}
+eval("set xtics (" . distances . ")")
+if (user) { set title "Error of the plate"; set yrange [floor(y_least - 0.01):ceil(y_most + 0.01)] }
+if (!user) {
+    set object 1 polygon from 0.03,-3.6 to 0.06,-3.6 to 0.06,-2.998 to 0.03,-3.6 fillstyle empty border linecolor rgb "#666666"
+    set label 1 "2" at 0.0615,-3.3 textcolor rgb "#666666"
+    set label 2 "1" at 0.0424,-3.72 center textcolor rgb "#666666"
+}
+plot for [name in curves] table using (method(name) / (column("nx") - 1)):"log_error_dn" \
          with linespoints linestyle method_style(name) title name

@@ -6,5 +6,6 @@ set xlabel "scaling factor ρ"
 set ylabel "log_{10} E"
 set arrow from 3.5, graph 0 to 3.5, graph 1 nohead linecolor rgb "#888888" dashtype (4,4)
 set label "stable, says the print" at 3.55, graph 0.96 textcolor rgb "#666666" font ",11"
-plot for [name in methods] table using (method(name) * column("scaling")):"log_error_dn" \
+if (!user) { curves = methods } else { set title "Error of the plate against the scaling factor" }
+plot for [name in curves] table using (method(name) * column("scaling")):"log_error_dn" \
          with linespoints linestyle method_style(name) title name

@@ -279,7 +279,7 @@ int main(int argc, char** argv) {
         ->type_name("NAME")
         ->check(CLI::IsMember({"asprone2010", "batra2008"}));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
-    return programs::run(app, argc, argv, 0, output, [&] {
+    return programs::run(app, argc, argv, 0, output, {}, [&] {
         return paper == "batra2008" ? of_batra2008::measured() : of_asprone2010::measured();
     });
 }

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
         "Another: derivative_test --function \"sin(5*x)+x^2\" --particles 37");
     programs::Options options;
     options.particles = programs::four_a_doubling();
+    options.figure = {"asprone2010/figure_1.gp", "formulation", "particles", "error_second"};
     programs::add_options(app, options);
 
     std::optional<std::string> function;
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
     programs::add_precision(app, options);
 
     return programs::run(app, argc, argv, options, [&] {
+        if (function) options.figure.told["function"] = *function;
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B "

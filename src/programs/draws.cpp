@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
 
-    return programs::run(app, argc, argv, threads, output, [&] {
+    return programs::run(app, argc, argv, threads, output, {}, [&] {
         if (wanted == std::vector<std::string>{"all"}) {
             wanted.clear();
             for (const auto& of : programs::formulations()) wanted.emplace_back(of.name);

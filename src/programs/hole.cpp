@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1UL, 100000UL));
     programs::add_options(app, options, "or a line: x2-axis");
 
-    return programs::run(app, argc, argv, options.threads, options.output, [&] {
+    return programs::run(app, argc, argv, options.threads, options.output, {}, [&] {
         const auto cases = programs::cases(options, hole::E, hole::penalty);
         const std::vector<double> all_radii = programs::numbers("--radius", radii);
         programs::FieldFile field(options.field);

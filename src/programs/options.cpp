@@ -40,6 +40,24 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
+/// What is the same in all rows.
+std::string parameters(const Options& options) {
+    const bool from_mean = particles::spacing_named(options.smoothing_from) == particles::Spacing::mean;
+    std::string text = "kernel " + options.kernel + (from_mean ? ", h/delta " : ", h/largest spacing ") +
+                       particles::shown(options.smoothing) + ", volumes " + options.volumes;
+    if (const auto& x = options.positions; x.size() > 0) {
+        const particles::Column<double> apart = x.tail(x.size() - 1) - x.head(x.size() - 1);
+        text += ", positions of a file, " + particles::shown(apart.minCoeff()) + " to " +
+                particles::shown(apart.maxCoeff()) + " apart";
+    }
+    if (std::any_of(options.perturbations.begin(), options.perturbations.end(),
+                    [](double a) { return a != 0; }))
+        text += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
+                std::to_string(options.seed + options.seeds - 1);
+    if (options.precision != "double") text += ", precision " + options.precision;
+    return text;
+}
+
 }  // namespace
 
 std::vector<long> four_a_doubling() {
@@ -103,6 +121,12 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", options.output, "CSV file to write (default: standard output)")
         ->type_name("FILE");
+    add_plot_option(app, options.figure);
+}
+
+void add_plot_option(CLI::App& app, Figure& figure) {
+    app.add_option("--plot", figure.path, "draw the paper's figure of this table too (needs gnuplot)")
+        ->type_name("FILE.svg");
 }
 
 void add_precision(CLI::App& app, Options& options) {
@@ -202,21 +226,7 @@ std::vector<std::string> described(const Options& options) {
         equations += (equations.empty() ? "equations: " : ", ") + std::string(formulation.name) + " " +
                      std::string(formulation.equations);
     }
-    const bool from_mean = particles::spacing_named(options.smoothing_from) == particles::Spacing::mean;
-    std::string parameters = "kernel " + options.kernel +
-                             (from_mean ? ", h/delta " : ", h/largest spacing ") +
-                             particles::shown(options.smoothing) + ", volumes " + options.volumes;
-    if (const auto& x = options.positions; x.size() > 0) {
-        const particles::Column<double> apart = x.tail(x.size() - 1) - x.head(x.size() - 1);
-        parameters += ", positions of a file, " + particles::shown(apart.minCoeff()) + " to " +
-                      particles::shown(apart.maxCoeff()) + " apart";
-    }
-    if (std::any_of(options.perturbations.begin(), options.perturbations.end(),
-                    [](double a) { return a != 0; }))
-        parameters += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
-                      std::to_string(options.seed + options.seeds - 1);
-    if (options.precision != "double") parameters += ", precision " + options.precision;
-    std::vector<std::string> comments{parameters};
+    std::vector<std::string> comments{parameters(options)};
     if (!equations.empty()) comments.insert(comments.begin(), equations);
     return comments;
 }
@@ -245,21 +255,31 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body) 
 }
 
 int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
-        const std::function<report::Table()>& compute) {
+        const Figure& figure, const std::function<report::Table()>& compute) {
     return run(app, argc, argv, [&] {
+        const bool drawn = !figure.path.empty();
+        if (drawn) check_plot(figure);
         if (threads > 0) omp_set_num_threads(threads);
-        report::write_whole(output, report::csv(compute()));
+        const report::Table table = compute();
+        report::write_whole(output, report::csv(table));
+        if (drawn) plot(figure, table);
         return 0;
     });
 }
 
 int run(CLI::App& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute) {
-    return run(app, argc, argv, options.threads, options.output, [&] {
+    return run(app, argc, argv, options.threads, options.output, options.figure, [&] {
+        if (!options.figure.path.empty() && options.seeds > 1 && !options.median)
+            throw InvalidInput("--plot draws one line of particles for each N; take --median or one seed");
+        if (!options.figure.path.empty() && options.perturbations.size() > 2)
+            throw InvalidInput("--plot draws at most two perturbations, such as 0,0.25");
         if (options.positions_file) {
             options.positions = read_positions(*options.positions_file);
             options.particles = {static_cast<long>(options.positions.size())};
         }
+        if (const std::string text = parameters(options); text != parameters({}))
+            options.figure.told["parameters"] = text;
         return compute();
     });
 }

@@ -9,6 +9,7 @@
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "particles/quad.hpp"
+#include "programs/plot.hpp"
 #include "report/table.hpp"
 
 /// One main per numerical test: it reads options, calls one section and writes one table.
@@ -31,6 +32,7 @@ struct Options {
     bool median = false;
     int threads = 0;
     std::string output;
+    Figure figure;  ///< what --plot draws: the program knows the script, the options the file
 };
 
 /// Numbers of particles from 10 to 2560, four for each doubling.
@@ -87,6 +89,9 @@ asprone2010::numerical_tests::Particles<Scalar> discretise(const Options& option
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);
 
+/// `--plot`, added to a command line.
+void add_plot_option(CLI::App& app, Figure& figure);
+
 /// Comments of the table: the equations of the formulations, and of the options what is the same in all rows.
 std::vector<std::string> described(const Options& options);
 
@@ -96,9 +101,10 @@ int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
 
 /// The body of main for a table: options are read, the table is computed and written.
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
-/// \param threads how many, 0 for all \param output the file to write; both are read once the options are
+/// \param threads how many, 0 for all \param output the file to write \param figure what to draw of the table besides; all are
+///        read once the options are
 int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
-        const std::function<report::Table()>& compute);
+        const Figure& figure, const std::function<report::Table()>& compute);
 
 /// The same for a numerical test, whose file of positions is read into its options first.
 int run(CLI::App& app, int argc, char** argv, Options& options,

@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
 
-    return programs::run(app, argc, argv, threads, output, [&] {
+    return programs::run(app, argc, argv, threads, output, {}, [&] {
         if (to < from || (to - from) / step > 1000)
             throw particles::InvalidInput("h/delta from " + particles::shown(from) + " to " +
                                           particles::shown(to) + " in steps of " + particles::shown(step) +
@@ -120,10 +120,10 @@ int main(int argc, char** argv) {
                          {"perturbation"},
                          {"order_first", {1e-3, 2e-3}},
                          {"order_second", {1e-3, 2e-3}},
-                         {"order_displacement", {1e-3, 2e-3}},
+                         {"order_displacement", {1e-3, 2e-2}},
                          {"constant_first", {1e-3, 1e-6}},
                          {"constant_second", {1e-3, 1e-6}},
-                         {"constant_displacement", {1e-3, 1e-6}}};
+                         {"constant_displacement", {5e-2, 1e-6}}};
         table.rows.resize(squares.size());
         programs::Progress progress(squares.size(), std::cerr, isatty(STDERR_FILENO) != 0);
         particles::for_each_index(static_cast<Index>(squares.size()), [&](Index k) {

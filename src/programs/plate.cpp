@@ -1,6 +1,8 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
+#include <map>
 
 #include "batra2008/section_4_1_plate.hpp"
 #include "programs/example_problems.hpp"
@@ -39,6 +41,29 @@ std::vector<plate::Corners> choices_of(const std::array<std::string, 4>& corners
         choices = more;
     }
     return choices;
+}
+
+/// What --plot draws: the error against the scaling factors, if there are several, or against the distance of the particles.
+programs::Figure figure_of(const std::string& path, bool scaled) {
+    programs::Figure figure{"batra2008/figure_12.gp", "method", "nx", "log_error_dn", false};
+    if (scaled) figure = {"batra2008/figure_9.gp", "method", "scaling", "log_error_dn", false};
+    figure.path = path;
+    return figure;
+}
+
+/// \throws particles::InvalidInput for what is no error of each method against either grids or scaling factors
+void check_drawable(const programs::ExampleOptions& options, const std::vector<programs::ExampleCase>& cases,
+                    std::size_t grids, std::size_t choices) {
+    std::map<std::pair<example_problems::Method, double>, std::size_t> rows;
+    for (const programs::ExampleCase& of : cases) rows[{of.how.method, of.how.scaling}] += grids * choices;
+    const bool scaled = options.scaling.find_first_of(",:") != std::string::npos;
+    const bool one_curve = std::all_of(rows.begin(), rows.end(), [&](const auto& method_and_scaling) {
+        return method_and_scaling.second == (scaled ? 1 : grids);
+    });
+    if (!options.states.empty() || !one_curve)
+        throw particles::InvalidInput(
+            "--plot draws errors: against several --particles (as Figure 12) or against several --scaling "
+            "(as Figure 9), all else being one value, without --states");
 }
 
 /// The places of `--states`.
@@ -88,9 +113,17 @@ int main(int argc, char** argv) {
                            (k == 0 || k == 2 ? "; all: each pair that the paper compares" : ""))
             ->type_name("A,B");
 
-    return programs::run(app, argc, argv, options.threads, options.output, [&] {
+    programs::Figure figure;
+    programs::add_plot_option(app, figure);
+    app.callback([&] {
+        const bool scaled = options.scaling.find_first_of(",:") != std::string::npos;
+        figure = figure_of(figure.path, scaled);
+    });
+
+    return programs::run(app, argc, argv, options.threads, options.output, figure, [&] {
         const auto cases = programs::cases(options, plate::E, plate::penalty);
         const std::vector<plate::Corners> choices = choices_of(corners);
+        if (!figure.path.empty()) check_drawable(options, cases, grids.size(), choices.size());
         programs::FieldFile field(options.field);
         report::Table table;
         table.comments = {

@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
 
-    return programs::run(app, argc, argv, threads, output, [&] {
+    return programs::run(app, argc, argv, threads, output, {}, [&] {
         std::vector<Case> cases;
         std::vector<Prediction> predictions;
         report::Table table;

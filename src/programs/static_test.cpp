@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
         "Another: static_test --displacement \"x*exp(-x)+sin(3*x)\" --particles 53");
     programs::Options options;
     options.particles = programs::four_a_doubling();
+    options.figure = {"asprone2010/figure_2.gp", "formulation", "particles", "error_displacement"};
     programs::add_options(app, options);
 
     std::string end;
@@ -47,6 +48,7 @@ int main(int argc, char** argv) {
     programs::add_precision(app, options);
 
     return programs::run(app, argc, argv, options, [&] {
+        if (displacement) options.figure.told["displacement"] = *displacement;
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.2, Figure 2: infinity norm of the displacement's error, (45) "

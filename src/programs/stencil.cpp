@@ -83,6 +83,8 @@ int main(int argc, char** argv) {
     app.add_option("--particle", particle, "which particle, from 0 (default 0)")->type_name("I");
 
     return programs::run(app, argc, argv, options, [&] {
+        if (!options.figure.path.empty())
+            throw particles::InvalidInput("a stencil has no figure; leave --plot out");
         const std::vector<programs::Case> asked = programs::cases(options);
         if (asked.size() != 1)
             throw particles::InvalidInput(

@@ -41,12 +41,19 @@ int main(int argc, char** argv) {
     const std::vector<std::string> references{"fem_lumped", "fem_consistent"};
     programs::Options options;
     options.particles = {100};
+    options.figure = {"asprone2010/figure_3.gp", "formulation", "particles", "ratio"};
     programs::add_options(app, options, references);
 
     return programs::run(app, argc, argv, options, [&] {
         using vibration_test::Mass;
         if (options.median)
             throw particles::InvalidInput("vibration_test has no --median: a spectrum is a row per mode");
+        if (!options.figure.path.empty() && options.particles.size() * options.perturbations.size() > 1)
+            throw particles::InvalidInput(
+                "--plot draws one spectrum for each formulation; take one number of particles and one "
+                "perturbation");
+        if (options.perturbations == std::vector<double>{0} && options.positions.size() == 0)
+            options.figure.told["lattice"] = "yes";
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.3, Figure 3: frequencies sqrt(-lambda) of (52) against (51), "
