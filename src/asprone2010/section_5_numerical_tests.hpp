@@ -45,8 +45,8 @@ Particles<Scalar> discretise(const Discretisation& of, const Column<Scalar>& x) 
             "the smoothing length over the spacing must be positive and finite, got " +
             particles::shown(of.smoothing));
     const Line<Scalar> line = particles::line_at<Scalar>(x, of.volumes);
-    return {line,
-            particles::Smoothing<Scalar>(of.kernel, Scalar(of.smoothing) * line.spacing(of.smoothing_from))};
+    const Column<Scalar> h = Scalar(of.smoothing) * line.spacing(of.smoothing_from);
+    return {line, particles::Smoothing<Scalar>(of.kernel, h)};
 }
 
 /// The N particles of a discretisation; the seed matters where they are perturbed.

@@ -38,14 +38,19 @@ inline std::string name(Volumes volumes) {
     return volumes == Volumes::equal ? "equal" : "partition";
 }
 
-/// Which distance between consecutive particles stands for all of them, where a smoothing length is measured in it.
-enum class Spacing { mean, largest };
+/// Which distance between consecutive particles a smoothing length is measured in.
+enum class Spacing {
+    mean,
+    largest,
+    local  ///< of each particle: the larger one of the distances to its two neighbours
+};
 
 /// \throws InvalidInput for a name that no spacing has
 inline Spacing spacing_named(std::string_view name) {
     if (name == "mean") return Spacing::mean;
     if (name == "largest") return Spacing::largest;
-    throw InvalidInput("there is no spacing '" + std::string(name) + "'; choose mean or largest");
+    if (name == "local") return Spacing::local;
+    throw InvalidInput("there is no spacing '" + std::string(name) + "'; choose mean, largest or local");
 }
 
 /// A line of particles: positions in increasing order and the volume that each carries [length].
@@ -80,9 +85,18 @@ class Line {
 
     /// Mean distance δ between consecutive particles.
     [[nodiscard]] Scalar spacing() const { return length() / Scalar(size() - 1); }
-    [[nodiscard]] Scalar spacing(Spacing which) const {
-        if (which == Spacing::mean) return spacing();
-        return (x_.tail(size() - 1) - x_.head(size() - 1)).maxCoeff();
+
+    /// The distance that a smoothing length is measured in: one number, or one for each particle.
+    [[nodiscard]] Column<Scalar> spacing(Spacing which) const {
+        if (which == Spacing::mean) return Column<Scalar>::Constant(1, spacing());
+        const Index N = size();
+        const Column<Scalar> apart = x_.tail(N - 1) - x_.head(N - 1);
+        if (which == Spacing::largest) return Column<Scalar>::Constant(1, apart.maxCoeff());
+        Column<Scalar> local(N);
+        local[0] = apart[0];
+        local[N - 1] = apart[N - 2];
+        local.segment(1, N - 2) = apart.head(N - 2).max(apart.tail(N - 2));
+        return local;
     }
 
   private:

@@ -121,7 +121,8 @@ std::string census(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
            shown(static_cast<double>(support<Scalar>(smoothing.kernel())), 3) + "h";
 }
 
-/// The smallest smoothing length, in spacings and rounded up to a tenth, with which particle i has enough neighbours.
+/// The smallest smoothing length, in spacings (or in its own, where each particle has one) and rounded up to a tenth, with which
+/// particle i has enough neighbours.
 template <class Scalar>
 std::string remedy(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i, Index needed) {
     if (line.size() < needed) return "take at least " + std::to_string(needed) + " particles";
@@ -130,8 +131,10 @@ std::string remedy(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
         distance[static_cast<std::size_t>(j)] = std::abs(static_cast<double>(line.x()[j] - line.x()[i]));
     const auto wanted = distance.begin() + (needed - 1);
     std::nth_element(distance.begin(), wanted, distance.end());
-    const double ratio = *wanted / static_cast<double>(line.spacing() * support<Scalar>(smoothing.kernel()));
-    return "try --smoothing " + shown(std::floor(10 * ratio * (1 + 1e-6) + 1) / 10);
+    const Scalar unit = smoothing.is_local() ? smoothing.h(i) : line.spacing();
+    const double ratio = *wanted / static_cast<double>(unit * support<Scalar>(smoothing.kernel()));
+    return "try --smoothing " + shown(std::floor(10 * ratio * (1 + 1e-6) + 1) / 10) +
+           (smoothing.is_local() ? " times as large" : "");
 }
 
 }  // namespace detail
@@ -162,9 +165,9 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
     Operators<Scalar> of_line;
     of_line.D = detail::banded_pattern<Scalar>(near);
     if constexpr (knows_both) of_line.D2 = of_line.D;
-    const Scalar per_h = 1 / smoothing.h();
     for_each_index(N, [&](Index i) {
         const Range& range = near[static_cast<std::size_t>(i)];
+        const Scalar per_h = 1 / smoothing.h(i);
         try {
             const Answer weights = rule(neighbourhood(line, smoothing, i, range));
             if constexpr (knows_both) {

@@ -42,8 +42,10 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// What is the same in all rows.
 std::string parameters(const Options& options) {
-    const bool from_mean = particles::spacing_named(options.smoothing_from) == particles::Spacing::mean;
-    std::string text = "kernel " + options.kernel + (from_mean ? ", h/delta " : ", h/largest spacing ") +
+    particles::spacing_named(options.smoothing_from);
+    const bool from_mean = options.smoothing_from == "mean";
+    std::string text = "kernel " + options.kernel +
+                       (from_mean ? ", h/delta " : ", h/" + options.smoothing_from + " spacing ") +
                        particles::shown(options.smoothing) + ", volumes " + options.volumes;
     if (const auto& x = options.positions; x.size() > 0) {
         const particles::Column<double> apart = x.tail(x.size() - 1) - x.head(x.size() - 1);
@@ -95,10 +97,10 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
         ->type_name("NAME");
     app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1)")
         ->type_name("RATIO");
-    app.add_option(
-           "--smoothing-from", options.smoothing_from,
-           "which spacing delta is in h/delta: mean (default) or largest; h is one for all particles, "
-           "it does not follow the local spacing")
+    app.add_option("--smoothing-from", options.smoothing_from,
+                   "which spacing delta is in h/delta: mean (default), largest, or local, which gives each "
+                   "particle an h "
+                   "of its own, from the farther one of its two neighbours")
         ->type_name("NAME");
     app.add_option("--perturb", options.perturbations,
                    "amplitudes a, separated by commas: inner particles move by U(-1,1) a delta (default 0; "

@@ -202,3 +202,28 @@ TEST_CASE("operators: a row without a stored diagonal entry is refused") {
     CHECK_THROWS_WITH_AS(annihilate_constants(shift), "row 1 of the operator stores no diagonal entry",
                          InvalidInput);
 }
+
+TEST_CASE(
+    "operators: with an h for each particle, what was exact stays exact; an equal h for all changes "
+    "nothing") {
+    Column<double> x(40);
+    for (Index j = 0; j < 40; ++j) x[j] = std::pow(1.08, static_cast<double>(j));
+    const auto line = line_at<double>(x, Volumes::partition);
+    const Smoothing<double> local(Gaussian{}, line.spacing(Spacing::local));
+    CHECK(local.is_local());
+    CHECK(local.h() == local.h(39));
+    CHECK(local.reach(0) < local.reach());
+    for (const char* name : {"modified_fpm", "second_order_fpm"}) {
+        const auto [D, D2] = asprone2010::formulation_named<double>(name).operators(line, local);
+        const Column<double> parabola = 3 - x + 2 * x.square();
+        CHECK((apply(D, parabola) / (4 * x - 1) - 1).abs().maxCoeff() < 1e-9);
+        CHECK((apply(D2, parabola) - 4).abs().maxCoeff() < 1e-7);
+        const double h = line.spacing();
+        const auto one = asprone2010::formulation_named<double>(name).operators(
+            line, Smoothing<double>(WendlandC4{}, 8 * h));
+        const auto many = asprone2010::formulation_named<double>(name).operators(
+            line, Smoothing<double>(WendlandC4{}, Column<double>::Constant(40, 8 * h)));
+        CHECK(same_bytes(one.D2, many.D2));
+    }
+    CHECK_THROWS_AS(Smoothing<double>(Gaussian{}, Column<double>::Zero(3)), InvalidInput);
+}

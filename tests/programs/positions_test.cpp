@@ -137,10 +137,34 @@ TEST_CASE("positions: the programs refuse what does not go together, in one line
             check_refused(command + " " + option, 2, "excludes");
         }
         check_refused(program + " --positions /nowhere/x.csv", 1, "cannot read /nowhere/x.csv");
-        check_refused(program + " --smoothing-from local", 2,
-                      "there is no spacing 'local'; choose mean or largest");
+        check_refused(program + " --smoothing-from least", 2,
+                      "there is no spacing 'least'; choose mean, largest or local");
     }
     report::write_whole(file, "0\n1\n");
     check_refused("vibration_test --positions " + file, 2, "take at least 3");
     check_refused("derivative_test --positions ''", 1, "cannot read");
+}
+
+TEST_CASE(
+    "positions: with h from the local spacing, a graded line costs no more neighbours than a uniform one") {
+    const Folder folder;
+    const std::string file = folder.path + "/graded.txt";
+    std::string text;
+    for (int k = 0; k < 60; ++k)
+        text += std::to_string((std::pow(1.1, k) - 1) / (std::pow(1.1, 59) - 1)) + "\n";
+    text.replace(text.rfind("1.0"), 8, "1");
+    report::write_whole(file, text);
+    const std::string command =
+        "derivative_test --formulation second_order_fpm --kernel quintic_spline --smoothing 1.5";
+    // With the mean spacing, the wide cells of this line have too few neighbours.
+    check_refused(command + " --positions " + file, 1, "second_order_fpm: particle 5");
+    const auto local =
+        report::parsed(run(command + " --positions " + file + " --smoothing-from local").output);
+    REQUIRE(local.rows.size() == 1);
+    CHECK(std::get<double>(local.rows[0][local.column("error_second")]) < 0.1);
+    check_refused(
+        "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from local "
+        "--positions " +
+            file,
+        1, "times as large");
 }
