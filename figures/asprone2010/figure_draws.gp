@@ -1,12 +1,12 @@
 # Distribution of the errors over 1000 draws of perturbed particles.
 load "figures/style.gp"
 if (!exists("table")) table = "data/asprone2010/draws.csv"
-curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm"
+if (!user) { draws = "1000"; curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm" }
 set multiplot
 set logscale x
 set format x "10^{%T}"
 set yrange [0:100]
-set ylabel "percent of 1000 draws with a smaller error"
+set ylabel "percent of " . draws . " draws with a smaller error"
 set title "Derivative test: max |D²B − e^x|" font ",13"
 set lmargin at screen 0.10; set rmargin at screen 0.38
 unset key

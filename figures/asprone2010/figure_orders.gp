@@ -13,8 +13,9 @@ set palette defined (-1.5 "#5e2750", -1 "#8c3f5d", 0 "#e08e6d", 0.5 "#f3d9b1", 1
 set cbrange [-1.5:3]
 unset grid
 set border 0
-set xrange [0.45:4.15]; set yrange [0:48.6]
-set xtics 1, 1, 4 scale 0
+if (!user) { x_least = 0.6; x_most = 4; step = 0.2 }
+set xrange [x_least - 0.75 * step:x_most + 0.75 * step]; set yrange [0:48.6]
+if (user) { set xtics autofreq scale 0 } else { set xtics 1, 1, 4 scale 0 }
 unset key
 unset colorbox
 set ytics scale 0
@@ -31,18 +32,18 @@ do for [p = 1:2] {
         set xlabel (p == 2 ? "h/δ" : "") offset 0,0.6
         unset ytics; unset label
         if (q == 1) {
-            do for [f = 1:words(shown)] { set label title(word(shown, f)) at 0.1, 6 * (f - 1) + 3 right }
+            do for [f = 1:words(shown)] { set label title(word(shown, f)) at graph -0.05, first 6 * (f - 1) + 3 right }
         }
         if (q == 3) {
             do for [f = 1:words(shown)] { do for [k = 1:5] {
-                set label word(letters, k) at 4.2, 6 * (f - 1) + k left font ",8" textcolor rgb "#666666" } }
+                set label word(letters, k) at graph 1.02, first 6 * (f - 1) + k left font ",8" textcolor rgb "#666666" } }
         }
         if (q == 3 && p == 2) {
             set colorbox user origin 0.19,0.035 size 0.77,0.010 horizontal
             set cbtics ("≤ −1.5" -1.5, "−1" -1, "0" 0, "1" 1, "2" 2, "≥ 3" 3) scale 0
         }
         plot table using (column("perturbation") == (p - 1) * 0.25 ? column("smoothing") : NaN): \
-                         (row(strcol("formulation"), strcol("kernel"))):(0.1):(0.5): \
+                         (row(strcol("formulation"), strcol("kernel"))):(0.5 * step):(0.5): \
                          (bounded(column(word(quantities, q)))) with boxxyerror linecolor palette
     }
 }

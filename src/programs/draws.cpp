@@ -59,7 +59,11 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
 
-    return programs::run(app, argc, argv, threads, output, {}, [&] {
+    programs::Figure figure{"asprone2010/figure_draws.gp", "formulation", "percentile", "error_second"};
+    programs::add_plot_option(app, figure);
+
+    return programs::run(app, argc, argv, threads, output, figure, [&] {
+        figure.told["draws"] = std::to_string(seeds);
         if (wanted == std::vector<std::string>{"all"}) {
             wanted.clear();
             for (const auto& of : programs::formulations()) wanted.emplace_back(of.name);

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <regex>
+#include <set>
 
 #include "batra2008/section_4_2_hole.hpp"
 #include "programs/example_problems.hpp"
@@ -83,6 +84,17 @@ std::vector<Point<2>> places(const std::string& where, long points, const hole::
     return chosen;
 }
 
+/// \throws particles::InvalidInput for what is not one stress of each method along the x₂-axis
+void check_drawable(const programs::ExampleOptions& options, const std::vector<programs::ExampleCase>& cases,
+                    std::size_t clouds) {
+    std::set<example_problems::Method> methods;
+    for (const programs::ExampleCase& of : cases) methods.insert(of.how.method);
+    if (options.states != "x2-axis" || clouds > 1 || methods.size() < cases.size())
+        throw particles::InvalidInput(
+            "--plot draws the stress along the x2-axis (as Figure 17): add --states x2-axis, and take one "
+            "layout and one value of everything else");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -117,9 +129,13 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1UL, 100000UL));
     programs::add_options(app, options, "or a line: x2-axis");
 
-    return programs::run(app, argc, argv, options.threads, options.output, {}, [&] {
+    programs::Figure figure{"batra2008/figure_17.gp", "method", "x2", "s11", false};
+    programs::add_plot_option(app, figure);
+
+    return programs::run(app, argc, argv, options.threads, options.output, figure, [&] {
         const auto cases = programs::cases(options, hole::E, hole::penalty);
         const std::vector<double> all_radii = programs::numbers("--radius", radii);
+        if (!figure.path.empty()) check_drawable(options, cases, layouts.size() * all_radii.size() * draws);
         programs::FieldFile field(options.field);
         report::Table table;
         table.comments = {

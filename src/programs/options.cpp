@@ -127,7 +127,7 @@ void add_options(CLI::App& app, Options& options, const std::vector<std::string>
 }
 
 void add_plot_option(CLI::App& app, Figure& figure) {
-    app.add_option("--plot", figure.path, "draw the paper's figure of this table too (needs gnuplot)")
+    app.add_option("--plot", figure.path, "draw the figure of this table too (needs gnuplot)")
         ->type_name("FILE.svg");
 }
 

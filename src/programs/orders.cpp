@@ -93,7 +93,12 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
 
-    return programs::run(app, argc, argv, threads, output, {}, [&] {
+    programs::Figure figure{"asprone2010/figure_orders.gp", "formulation", "smoothing", "order_second",
+                            false};
+    programs::add_plot_option(app, figure);
+
+    return programs::run(app, argc, argv, threads, output, figure, [&] {
+        figure.told["step"] = particles::shown(step);
         if (to < from || (to - from) / step > 1000)
             throw particles::InvalidInput("h/delta from " + particles::shown(from) + " to " +
                                           particles::shown(to) + " in steps of " + particles::shown(step) +

@@ -87,7 +87,13 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
 
-    return programs::run(app, argc, argv, threads, output, {}, [&] {
+    programs::Figure figure{"asprone2010/figure_precision.gp", "formulation", "particles", "error_second"};
+    programs::add_plot_option(app, figure);
+
+    return programs::run(app, argc, argv, threads, output, figure, [&] {
+        if (!figure.path.empty() && wanted != std::vector<std::string>{"modified_fpm", "second_order_fpm"})
+            throw particles::InvalidInput(
+                "--plot draws the two formulations of the default; leave --formulation out");
         std::vector<Case> cases;
         std::vector<Prediction> predictions;
         report::Table table;

@@ -70,6 +70,25 @@ TEST_CASE("plot: the plate's errors against grids or scaling factors; else it sa
     check_refused("plate --scaling 3,4 --particles 13x4,16x4 --plot /tmp/figure.svg", 2, "(as Figure 9)");
 }
 
+TEST_CASE(
+    "plot: the stress along the axis of the hole, for the methods that were asked and the hole's radius") {
+    const std::string svg = drawn("hole --states x2-axis --points 11 --method strong,weak1 --radius 0.5");
+    CHECK(holds(svg, "weak1"));
+    CHECK(!holds(svg, "weak2"));
+    check_refused("hole --plot /tmp/figure.svg", 2, "add --states x2-axis");
+    check_refused("hole --states x2-axis --draws 2 --plot /tmp/figure.svg", 2, "(as Figure 17)");
+    check_refused("hole --states x2-axis --scaling 3,4 --plot /tmp/figure.svg", 2, "one value");
+}
+
+TEST_CASE("plot: the map of orders, the floors of the precisions, the spread over draws") {
+    CHECK(holds(drawn("orders --from 1 --to 1.4 --seeds 1"), "h/δ"));
+    CHECK(holds(drawn("roundoff --most 1000 --most-quad 100"), "quad"));
+    const std::string svg = drawn("draws --particles 20 --seeds 40 --formulation fpm,second_order_fpm");
+    CHECK(holds(svg, "percent of 40 draws"));
+    CHECK(!holds(svg, "RKPM"));
+    check_refused("roundoff --formulation ssph --plot /tmp/figure.svg", 2, "leave --formulation out");
+}
+
 TEST_CASE("plot: what cannot be drawn or written is refused before anything is computed") {
     const Folder folder;
     check_refused("static_test --particles 20 --plot " + folder.path + "/none/figure.svg", 1,
