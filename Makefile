@@ -1,5 +1,6 @@
 # Targets that answer `make help` carry their line of help behind two hashes.
-# Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE; for install PREFIX and DESTDIR.
+# Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE; for install PREFIX and DESTDIR; for bench
+# MOST_1D and MOST_2D, the most particles.
 SHELL := /bin/bash
 .ONESHELL:
 .SHELLFLAGS := -eu -o pipefail -c
@@ -10,26 +11,29 @@ MAKEFLAGS += --jobs=$(shell nproc) --output-sync=target
 
 BUILD ?= build
 CXX ?= g++
-OPTIMISE ?= -O2
 # No contraction and no -march: data keep their bytes from one build to the next.
-CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+OPTIMISE ?= -O2 -ffp-contract=off
+CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
 
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
-PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev \
+PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev libspectra-dev \
             libginac-dev libboost-dev libcli11-dev doctest-dev pkg-config
+for_bench := libbenchmark-dev python3-numpy python3-scipy
 goals := $(filter-out setup,$(MAKECMDGOALS))
 PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
+PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) \
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/asprone2010/formulations.cpp src/solvers/spectrum.cpp \
             $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
-tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
+tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort))
+benchmarks := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/benchmarks/*.cpp))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 
 # One command for each table, data/paper/name.csv, under the table's name.
@@ -37,6 +41,9 @@ asprone2010/figure_1       = $(bin)/derivative_test --perturb 0,0.25 --seeds 51 
 asprone2010/figure_2_left  = $(bin)/static_test
 asprone2010/figure_2_right = $(bin)/static_test --perturb 0.25 --seeds 51 --median
 asprone2010/figure_3       = $(bin)/vibration_test
+at_scale := 100,300,1000,3000,10000,30000,100000,300000,1000000
+asprone2010/scale          = $(bin)/static_test --formulation second_order_fpm --particles $(at_scale)
+asprone2010/scale_uncorrected = $(bin)/static_test --formulation second_order_fpm --particles $(at_scale) --corrections 0
 asprone2010/constants      = $(bin)/constants
 asprone2010/orders         = $(bin)/orders
 asprone2010/precision      = $(bin)/roundoff
@@ -76,7 +83,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings figures check claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -108,6 +115,22 @@ timings: $(bin)/plate ## measure what the methods cost on this machine, into dat
 	done | awk '!/^(#|method)/ || !seen[$$0]++' > $(BUILD)/seconds.csv
 	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv
 
+# From the same source, but as fast as the compiler makes it for this machine. Of the processor's widest instructions, g++ 12 warns
+# in its own headers.
+MOST_1D ?= 10000000
+MOST_2D ?= 100000
+bench: ## measure speed against the machine's limits and against NumPy, into data/benchmarks and figures/benchmarks
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized" $(BUILD)/bench/bin/bench
+	for part in asprone2010 batra2008; do
+	    python=$$(command -v /usr/bin/python3 || command -v python3 || true)
+	    env -u OPENBLAS_CORETYPE $(BUILD)/bench/bin/bench --part $$part --most-1d $(MOST_1D) --most-2d $(MOST_2D) --output $(BUILD)/bench/$$part.csv
+	    if [[ $$part == asprone2010 ]]; then most=$(MOST_1D); else most=$(MOST_2D); fi
+	    if [[ -n $$python ]]; then env -u OPENBLAS_CORETYPE OPENBLAS_NUM_THREADS=1 $$python tests/benchmarks/arrays.py $$part $$((most > 1000000 ? 1000000 : most)) >> $(BUILD)/bench/$$part.csv
+	    else echo "there is no python3; the rows of NumPy are left out" >&2; fi
+	    cp $(BUILD)/bench/$$part.csv data/benchmarks/$$part.csv
+	done
+	for figure in $(wildcard figures/benchmarks/*.gp); do LC_ALL=C.UTF-8 gnuplot -e "output = '$${figure%.gp}.svg'" $$figure; done
+
 figures: $(figures) ## draw the figures of the paper into figures/
 
 check: $(BUILD)/bin/check build ## run the tests
@@ -138,8 +161,8 @@ verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare
 	$(bin)/walkthrough --readme $(BUILD)/verify/README.md --check-readme || failed=1
 	exit $$failed
 
-# Installed are the headers of the methods and of what they stand on, not the claims'. One of them has a source file,
-# section_4_example_problems: it becomes a small static library.
+# Installed are the headers of the methods and of what they stand on, not the claims'. Three of them have source files,
+# spectrum, formulations and section_4_example_problems: they become a small static library.
 PREFIX ?= /usr/local
 headers := $(filter-out %/claims.hpp,$(wildcard $(patsubst %,src/%/*.hpp,particles solvers $(papers))))
 define install_below
@@ -198,7 +221,13 @@ $(BUILD)/bin/check: $(tests) $(common)
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
 
-$(BUILD)/libparticle-methods.a: $(BUILD)/src/batra2008/section_4_example_problems.o
+$(BUILD)/bin/bench: $(benchmarks) $(common) $(BUILD)/src/batra2008/section_4_example_problems.o
+	@mkdir -p $(@D)
+	echo "link $@"
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -lbenchmark -o $@
+
+$(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
+                                $(BUILD)/src/batra2008/section_4_example_problems.o
 	@rm -f $@
 	ar rcs $@ $^
 

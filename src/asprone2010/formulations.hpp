@@ -76,6 +76,8 @@ const std::vector<Formulation<Scalar>>& formulations() {
     return all;
 }
 
+extern template const std::vector<Formulation<double>>& formulations();
+
 /// \throws particles::InvalidInput for a name that no formulation has
 template <class Scalar = double>
 const Formulation<Scalar>& formulation_named(std::string_view wanted) {

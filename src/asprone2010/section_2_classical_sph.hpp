@@ -68,8 +68,8 @@ Column<Scalar> subdomain_bounds(const Line<Scalar>& line) {
 /// \f[ B(x_i) \cong \sum_{j=1}^N B(x_j)\,W_i(x_j)\,\Delta\Omega_j \tag{4} \f]
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j)\f$ [1]
-template <class Scalar, int Size>
-Column<Scalar, Size> value(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Column<Scalar> value(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     return W * V;
 }

@@ -42,8 +42,8 @@ inline double interior_derivative(const Function& B, const CentredKernel& W_i) {
 /// The same as a sum over particles. \defeq{A8}
 /// \f[ DB(x_i) \cong -\sum_{j=1}^N B(x_j)\,DW_i(x_j)\,\Delta\Omega_j \tag{8} \f]
 /// \return weights on \f$B(x_j)\f$ [1/h]
-template <class Scalar, int Size>
-Column<Scalar, Size> interior_derivative(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Column<Scalar> interior_derivative(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     return -DW * V;
 }
@@ -65,8 +65,8 @@ inline double first_derivative(const Function& B, const CentredKernel& W_i) {
 /// \f[ DB(x_i) \cong \sum_{j=1}^N [B(x_i) - B(x_j)]\,DW_i(x_j)\,\Delta\Omega_j \tag{11} \f]
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
-template <class Scalar, int Size>
-Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     return -DW * V;
 }

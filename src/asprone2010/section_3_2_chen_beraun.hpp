@@ -54,8 +54,8 @@ inline double first_derivative(const Function& B, const CentredKernel& W_i) {
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
 /// \throws SingularNeighbourhood where the static moment vanishes
-template <class Scalar, int Size>
-Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     return DW * V / nonzero_sum(r * DW * V);
 }
@@ -91,17 +91,16 @@ inline double second_derivative(const Function& B, double DB_i, const CentredKer
 /// \param D weights of \f$DB(x_i)\f$ on \f$B(x_j) - B(x_i)\f$ [1/h]; zeros leave what multiplies an exact DB aside
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h²]
 /// \throws SingularNeighbourhood where the second moment vanishes
-template <class Scalar, int Size>
-Column<Scalar, Size> second_derivative(const Neighbourhood<Scalar, Size>& near,
-                                       const Column<Scalar, Size>& D) {
+template <class Scalar>
+Column<Scalar> second_derivative(const Neighbourhood<Scalar>& near, const Column<Scalar>& D) {
     const auto& [r, W, DW, V] = near;
     return (W * V - D * (r * W * V).sum()) / (nonzero_sum(r * r * W * V) / 2);
 }
 
 /// Both derivatives of the formulation: \eq{A16}, and \eq{A20} with DB from \eq{A16}.
-template <class Scalar, int Size>
-Derivatives<Scalar, Size> derivatives(const Neighbourhood<Scalar, Size>& near) {
-    const Column<Scalar, Size> D = first_derivative(near);
+template <class Scalar>
+Derivatives<Scalar> derivatives(const Neighbourhood<Scalar>& near) {
+    const Column<Scalar> D = first_derivative(near);
     return {D, second_derivative(near, D)};
 }
 

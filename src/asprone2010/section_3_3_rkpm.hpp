@@ -35,11 +35,11 @@ inline double value(const Function& B, const CentredKernel& K_i) {
     return classical_sph::value(B, K_i);
 }
 
-/// \f$s^n\f$ of a number or, entry by entry, of an array.
-template <int n, class T>
-T power(const T& s) {
+/// \f$s^n\f$.
+template <int n, class Scalar>
+Scalar power(const Scalar& s) {
     if constexpr (n == 0)
-        return s * 0 + 1;
+        return Scalar(1);
     else if constexpr (n == 1)
         return s;
     else
@@ -51,20 +51,20 @@ T power(const T& s) {
 /// \f[ C_i(x) = a_i + b_i (x - x_i) + c_i (x - x_i)^2 + \dots \tag{23} \f]
 /// \tparam p the exponents
 /// \param c the coefficients, one for each exponent
-/// \param s scaled offset \f$(x - x_i)/h\f$, a number or an array
-template <int... p, class Coefficients, class T>
-T correction(const Coefficients& c, const T& s) {
+/// \param s scaled offset \f$(x - x_i)/h\f$
+template <int... p, class Coefficients, class Scalar>
+Scalar correction(const Coefficients& c, const Scalar& s) {
     Index k = 0;
-    T sum = s * 0;
+    Scalar sum(0);
     ((sum += c[k++] * power<p>(s)), ...);
     return sum;
 }
 
 /// Derivative of the correction polynomial with respect to s.
-template <int... p, class Coefficients, class T>
-T correction_derivative(const Coefficients& c, const T& s) {
+template <int... p, class Coefficients, class Scalar>
+Scalar correction_derivative(const Coefficients& c, const Scalar& s) {
     Index k = 0;
-    T sum = s * 0;
+    Scalar sum(0);
     ((sum += (c[k++] * p) * power<(p > 0 ? p - 1 : 0)>(s)), ...);
     return sum;
 }
@@ -108,19 +108,22 @@ CentredKernel corrected(const CentredKernel& W_i) {
 /// The corrected kernel at the particles: a neighbourhood with K and DK in the place of W and DW, the moments imposed on
 /// its sums.
 /// \throws SingularNeighbourhood where the particles do not determine \f$C_i\f$
-template <int... p, class Scalar, int Size>
-Neighbourhood<Scalar, Size> corrected(const Neighbourhood<Scalar, Size>& near) {
+template <int... p, class Scalar>
+Neighbourhood<Scalar> corrected(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     std::array<Scalar, 2 * std::max({p...}) + 1> moments{};
-    Column<Scalar, Size> terms = W * V;
-    for (Scalar& moment : moments) {
-        moment = terms.sum();
-        terms *= r;
+    for (Index j = 0; j < r.size(); ++j) {
+        Scalar term = W[j] * V[j];
+        for (Scalar& moment : moments) {
+            moment += term;
+            term *= r[j];
+        }
     }
     const auto c =
         correction_coefficients<Scalar, p...>([&](int k) { return moments[static_cast<std::size_t>(k)]; });
-    const Column<Scalar, Size> C = correction<p...>(c, r);
-    return {r, C * W, correction_derivative<p...>(c, r) * W + C * DW, V};
+    const Column<Scalar> C = r.unaryExpr([&](const Scalar& s) { return correction<p...>(c, s); });
+    const Column<Scalar> DC = r.unaryExpr([&](const Scalar& s) { return correction_derivative<p...>(c, s); });
+    return {r, C * W, DC * W + C * DW, V};
 }
 
 /// Taylor's expansion against \f$K_i\f$, up to the second derivative: what \eq{A21} represents. \defeq{A24}
@@ -137,8 +140,8 @@ inline double expanded_value(double B_i, double DB_i, double D2B_i, const Centre
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
 /// \throws SingularNeighbourhood where the particles do not determine \f$C_i\f$
-template <int order, class Scalar, int Size>
-Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
+template <int order, class Scalar>
+Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     static_assert(order == 1 || order == 2, "RKPM is described for the first and the second order");
     const auto corrected_near = [&] {
         if constexpr (order == 1)

@@ -47,8 +47,8 @@ inline Eigen::Matrix2d matrix(const CentredKernel& W_i) {
 }
 
 /// The matrix, as sums over particles.
-template <class Scalar, int Size>
-Eigen::Matrix<Scalar, 2, 2> matrix(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 2> matrix(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     return Eigen::Matrix<Scalar, 2, 2>{{(W * V).sum(), (r * W * V).sum()},
                                        {(DW * V).sum(), (r * DW * V).sum()}};
@@ -67,16 +67,16 @@ inline Eigen::Vector2d value_and_derivative(const Function& B, const CentredKern
 }
 
 /// What \eq{A30} returns: weights on \f$B(x_j)\f$.
-template <class Scalar, int Size = Eigen::Dynamic>
+template <class Scalar>
 struct ValueAndDerivative {
-    Column<Scalar, Size> value, first;  ///< in units of 1 and 1/h
+    Column<Scalar> value, first;  ///< in units of 1 and 1/h
 };
 
 /// \eq{A30} as sums over particles.
 /// \param near the particles in the support of \f$W_i\f$
 /// \throws SingularNeighbourhood where the particles do not determine the two unknowns
-template <class Scalar, int Size>
-ValueAndDerivative<Scalar, Size> value_and_derivative(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+ValueAndDerivative<Scalar> value_and_derivative(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     const Eigen::Matrix<Scalar, 2, 2> A_inverse = inverse(matrix(near));
     return {(A_inverse(0, 0) * W + A_inverse(0, 1) * DW) * V,
@@ -86,8 +86,8 @@ ValueAndDerivative<Scalar, Size> value_and_derivative(const Neighbourhood<Scalar
 /// The first derivative of this formulation. The second row of \eq{A30} annihilates constants, so that its weights serve
 /// differences as well.
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
-template <class Scalar, int Size>
-Column<Scalar, Size> first_derivative(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     return value_and_derivative(near).first;
 }
 

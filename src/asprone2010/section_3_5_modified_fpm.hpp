@@ -46,8 +46,8 @@ inline Eigen::Matrix2d matrix(const CentredKernel& W_i) {
 }
 
 /// The matrix, as sums over particles.
-template <class Scalar, int Size>
-Eigen::Matrix<Scalar, 2, 2> matrix(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 2> matrix(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     return Eigen::Matrix<Scalar, 2, 2>{{(r * W * V).sum(), (r * r * W * V).sum() / 2},
                                        {(r * DW * V).sum(), (r * r * DW * V).sum() / 2}};
@@ -69,8 +69,8 @@ inline Eigen::Vector2d derivatives(const Function& B, const CentredKernel& W_i) 
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
 /// \throws SingularNeighbourhood where the particles do not determine the two unknowns
-template <class Scalar, int Size>
-Derivatives<Scalar, Size> derivatives(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Derivatives<Scalar> derivatives(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
     const Eigen::Matrix<Scalar, 2, 2> A_inverse = inverse(matrix(near));
     return {(A_inverse(0, 0) * W + A_inverse(0, 1) * DW) * V,

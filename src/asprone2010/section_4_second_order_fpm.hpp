@@ -46,8 +46,8 @@ inline Eigen::Vector3d imposed_moments(const CentredKernel& K_i) {
 /// \f[ \sum_j K_i(x_j)\,\Delta\Omega_j = 1, \qquad \sum_j (x_j-x_i)\,K_i(x_j)\,\Delta\Omega_j = 0, \qquad
 ///     \sum_j (x_j-x_i)^3\,K_i(x_j)\,\Delta\Omega_j = 0 \tag{42} \f]
 /// \throws SingularNeighbourhood where the particles do not determine a, b and c
-template <class Scalar, int Size>
-Neighbourhood<Scalar, Size> corrected(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Neighbourhood<Scalar> corrected(const Neighbourhood<Scalar>& near) {
     return rkpm::corrected<0, 1, 3>(near);
 }
 
@@ -66,8 +66,8 @@ inline Eigen::Vector2d derivatives(const Function& B, const CentredKernel& K_i) 
 /// \param near the particles in the support of \f$W_i\f$
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
 /// \throws SingularNeighbourhood where the particles do not determine K or the two unknowns
-template <class Scalar, int Size>
-Derivatives<Scalar, Size> derivatives(const Neighbourhood<Scalar, Size>& near) {
+template <class Scalar>
+Derivatives<Scalar> derivatives(const Neighbourhood<Scalar>& near) {
     return modified_fpm::derivatives(corrected(near));
 }
 

@@ -84,6 +84,47 @@ inline std::vector<std::complex<double>> frequencies(const Formulation<double>& 
     return frequencies(stiffness(formulation.operators(discrete.line, discrete.smoothing).D2));
 }
 
+/// A mode with what its shape leaves of \eq{A52}.
+struct Mode {
+    std::complex<double> frequency;
+    double residual;  ///< \f$\|\mathbf{K}^{-1}\mathbf{x} + \mathbf{x}/\omega^2\| / \|\mathbf{x}/\omega^2\|\f$
+};
+
+/// The lowest modes of \eq{A52}, for lines that are too long for all of them.
+///
+/// Shapes are those of \f$\mathbf{K}^{-1}\f$ with the largest eigenvalues θ. A product with K carries round-off of the size of
+/// \f$\varepsilon/\delta^2\f$, so that \f$\theta = \mathbf{x}\cdot\mathbf{K}^{-1}\mathbf{x}\f$ gives the frequency, by a solution that is corrected
+/// as in the static test.
+/// \param D2 second derivative at N particles \param count of modes, at most N − 4
+/// \return in increasing order of the real part
+/// \throws particles::FailedComputation where K is singular or the iteration does not converge
+inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
+    const Index inner = D2.rows() - 2;
+    const Operator<double> K = D2.block(1, 1, inner, inner);
+    const solvers::BandedFactors<double> factors(K);
+    const auto corrected = [&](const Column<double>& x) {
+        Column<double> y = Column<double>::Zero(inner + 2), left = x;
+        for (int k = 0; k < 3; ++k) {
+            y.segment(1, inner) += factors.solve(left);
+            left = x - particles::apply(D2, y).segment(1, inner);
+        }
+        return Column<double>(y.segment(1, inner));
+    };
+    const Eigen::MatrixXcd shapes = solvers::eigenvectors_nearest_zero(factors, inner, count);
+    std::vector<Mode> modes;
+    for (const auto& vector : shapes.colwise()) {
+        Eigen::VectorXcd x = vector.normalized(), inverse_x(inner);
+        inverse_x.real() = corrected(x.real().array()).matrix();
+        inverse_x.imag() =
+            x.imag().isZero(0) ? Eigen::VectorXd::Zero(inner) : corrected(x.imag().array()).matrix().eval();
+        const std::complex<double> theta = x.dot(inverse_x);
+        modes.push_back({std::sqrt(-1.0 / theta), (inverse_x - theta * x).norm() / std::abs(theta)});
+    }
+    std::sort(modes.begin(), modes.end(),
+              [](const Mode& a, const Mode& b) { return a.frequency.real() < b.frequency.real(); });
+    return modes;
+}
+
 /// How the mass of a linear finite element is distributed.
 enum class Mass { lumped, consistent };
 

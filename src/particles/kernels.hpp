@@ -7,13 +7,14 @@
 #include <variant>
 
 #include "particles/errors.hpp"
+#include "particles/pack.hpp"
 
 namespace particles {
 
 /// \defgroup kernels Kernels
 /// A kernel is written in the scaled offset s = (x − x_i)/h, in one dimension and for h = 1:
 /// \f$W_i(x) = W(s)/h\f$, \f$DW_i(x) = W'(s)/h^2\f$, \f$D^2W_i(x) = W''(s)/h^3\f$. Each has unit integral, is even, and
-/// vanishes for |s| ≥ support(), the Gaussian but for what is negligible. The scalar may be any real type.
+/// vanishes for |s| ≥ support(), the Gaussian but for what is negligible. The scalar may be any real type, or a Pack.
 /// @{
 
 namespace detail {
@@ -21,15 +22,15 @@ namespace detail {
 /// \f$\max(a, 0)^n\f$: splines written with it need no case distinctions.
 template <int n, class Scalar>
 Scalar truncated_power(const Scalar& a) {
-    if (!(a > 0)) return Scalar(0);
+    const Scalar positive = chosen(a > 0, a, Scalar(0));
     Scalar power(1);
-    for (int k = 0; k < n; ++k) power *= a;
+    for (int k = 0; k < n; ++k) power *= positive;
     return power;
 }
 
 template <class Scalar>
 Scalar sign(const Scalar& s) {
-    return s > 0 ? Scalar(1) : s < 0 ? Scalar(-1) : Scalar(0);
+    return chosen(s > 0, Scalar(1), chosen(s < 0, Scalar(-1), Scalar(0)));
 }
 
 template <class Scalar>
@@ -37,6 +38,8 @@ const Scalar inverse_sqrt_pi = [] {
     using std::atan, std::sqrt;
     return Scalar(1 / sqrt(4 * atan(Scalar(1))));
 }();
+template <>
+inline const Pack inverse_sqrt_pi<Pack> = inverse_sqrt_pi<double>;
 
 }  // namespace detail
 
@@ -57,7 +60,12 @@ struct Gaussian {
     }
     template <class Scalar>
     static Scalar DW(const Scalar& s) {
-        return -2 * s * W(s);
+        return DW(s, W(s));
+    }
+    /// The derivative where the value is known: it saves an exponential.
+    template <class Scalar>
+    static Scalar DW(const Scalar& s, const Scalar& W) {
+        return -2 * s * W;
     }
     template <class Scalar>
     static Scalar D2W(const Scalar& s) {

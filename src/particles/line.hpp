@@ -11,14 +11,19 @@
 #include <string_view>
 
 #include "particles/errors.hpp"
+#include "particles/pack.hpp"
 
 namespace particles {
 
 using Index = Eigen::Index;
 
-/// One number per particle (or per neighbour); a fixed size where it is known.
-template <class Scalar, int Size = Eigen::Dynamic>
-using Column = Eigen::Array<Scalar, Size, 1>;
+/// Most neighbours that a Pack has room for: its columns have a place on the stack.
+inline constexpr int most_in_pack = 64;
+
+/// One number per particle, or per neighbour.
+template <class Scalar>
+using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1, 0,
+                            std::is_same_v<Scalar, Pack> ? most_in_pack : Eigen::Dynamic, 1>;
 
 /// How much of the domain a particle stands for.
 enum class Volumes {

@@ -6,15 +6,17 @@
 #include <limits>
 
 #include "particles/errors.hpp"
+#include "particles/pack.hpp"
 
 namespace particles {
 
 /// The particles of a neighbourhood do not determine the unknowns of a formulation.
 class SingularNeighbourhood : public FailedComputation {
   public:
+    /// \param reciprocal_condition what is no number counts as 0
     explicit SingularNeighbourhood(double reciprocal_condition)
         : FailedComputation("the local system is singular (reciprocal condition " +
-                            shown(reciprocal_condition, 2) + ")") {}
+                            shown(reciprocal_condition > 0 ? reciprocal_condition : 0, 2) + ")") {}
 };
 
 /// Inverse of a small local matrix (closed form up to 4 × 4).
@@ -26,8 +28,8 @@ Eigen::Matrix<Scalar, n, n> inverse(const Eigen::Matrix<Scalar, n, n>& A) {
     };
     Eigen::Matrix<Scalar, n, n> A_inverse = A.inverse();
     const Scalar reciprocal_condition = 1 / (norm(A) * norm(A_inverse));
-    if (!(reciprocal_condition > 100 * std::numeric_limits<Scalar>::epsilon()))
-        throw SingularNeighbourhood(A_inverse.allFinite() ? static_cast<double>(reciprocal_condition) : 0);
+    if (!everywhere(reciprocal_condition > 100 * std::numeric_limits<Scalar>::epsilon()))
+        throw SingularNeighbourhood(least(reciprocal_condition));
     return A_inverse;
 }
 
@@ -39,8 +41,8 @@ typename Terms::Scalar nonzero_sum(const Eigen::ArrayBase<Terms>& terms) {
     using std::abs;
     const Scalar sum = terms.sum();
     const Scalar size = terms.abs().sum();
-    if (!(abs(sum) > 100 * std::numeric_limits<Scalar>::epsilon() * size))
-        throw SingularNeighbourhood(size > 0 ? static_cast<double>(abs(sum) / size) : 0);
+    if (!everywhere(abs(sum) > 100 * std::numeric_limits<Scalar>::epsilon() * size))
+        throw SingularNeighbourhood(least(abs(sum) / size));
     return sum;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "particles/errors.hpp"
+#include "solvers/banded.hpp"
 
 namespace solvers {
 
@@ -36,12 +37,18 @@ inline std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::Matri
     std::vector<double> all(static_cast<std::size_t>(N));
     const lapack_int failed =
         N == 0 ? 0 : LAPACKE_dsygv(LAPACK_COL_MAJOR, 1, 'N', 'L', N, K.data(), N, M.data(), N, all.data());
-    if (failed > N)
-        throw particles::FailedComputation("the mass matrix is not positive definite");
+    if (failed > N) throw particles::FailedComputation("the mass matrix is not positive definite");
     if (failed != 0)
         throw particles::FailedComputation("the eigenvalues of a symmetric problem of " + std::to_string(N) +
                                            " rows were not found");
     return all;
 }
+
+/// Eigenvectors, a column each, of the eigenvalues of K that are nearest to zero: Arnoldi's method with implicit restarts (Spectra)
+/// on K⁻¹.
+/// \param factors of K \param N rows of K \param count at most N − 2
+/// \throws particles::FailedComputation where the iteration does not converge
+Eigen::MatrixXcd eigenvectors_nearest_zero(const BandedFactors<double>& factors, Eigen::Index N,
+                                           Eigen::Index count);
 
 }  // namespace solvers

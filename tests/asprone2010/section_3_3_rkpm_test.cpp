@@ -21,8 +21,6 @@ TEST_CASE("(23): the polynomial and its derivative") {
     CHECK(correction_derivative<0, 1, 2>(c, 0.5) == support::relative(-3 + 5, 1e-15));
     CHECK(correction<0, 1, 3>(c, 0.5) == support::relative(2 - 1.5 + 0.625, 1e-15));
     CHECK(correction_derivative<0, 1, 3>(c, 0.5) == support::relative(-3 + 15 * 0.25, 1e-15));
-    const Column<double> s = Column<double>::LinSpaced(4, -1, 2);
-    for (Index k = 0; k < 4; ++k) CHECK(correction<0, 1, 2>(c, s)[k] == correction<0, 1, 2>(c, double(s[k])));
 }
 
 TEST_CASE("(22): DK is the derivative of K") {

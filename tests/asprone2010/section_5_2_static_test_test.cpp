@@ -42,7 +42,8 @@ TEST_CASE(
     "them") {
     const auto [line, smoothing] = particles_of(30);
     const auto operators = formulation_named<double>("second_order_fpm").operators(line, smoothing);
-    const Eigen::MatrixXd A = static_test::system(operators.D2, operators.D);
+    auto D2 = operators.D2;
+    const Eigen::MatrixXd A = static_test::system(std::move(D2), operators.D);
     CHECK(A.row(0) == Eigen::RowVectorXd::Unit(30, 0));
     CHECK(A.middleRows(1, 28) == -Eigen::MatrixXd(operators.D2).middleRows(1, 28));
     CHECK(A.row(29) == Eigen::MatrixXd(operators.D).row(29));
@@ -52,6 +53,15 @@ TEST_CASE(
     CHECK(f[0] == 5);
     CHECK(f[10] == -9 * line.x()[10]);
     CHECK(f[29] == 8);
+}
+
+TEST_CASE("5.2: corrections restore in double precision what the condition of long lines takes") {
+    const auto& formulation = formulation_named<double>("second_order_fpm");
+    const auto exact = static_test::exponential_load<double>();
+    const auto short_line = particles_of(2001), line = particles_of(20001);
+    const double expected = static_test::error(formulation, short_line, exact) / 100;
+    CHECK(static_test::error(formulation, line, exact) == support::relative(expected, 5e-3));
+    CHECK(static_test::error(formulation, formulation, line, exact, 0) > 10 * expected);
 }
 
 TEST_CASE("5.2: a parabola is solved exactly by the formulations that differentiate it exactly") {

@@ -24,6 +24,35 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 }  // namespace
 
+TEST_CASE("(52): the lowest modes are those of the whole spectrum, on any particles, with small residuals") {
+    for (const char* name : {"second_order_fpm", "modified_fpm", "chen_beraun"})
+        for (const double perturbation : {0.0, 0.2}) {
+            const auto discrete =
+                particles_of(120, {particles::Volumes::equal, particles::Gaussian{}, 1, perturbation});
+            const auto all = frequencies(formulation_named<double>(name), discrete);
+            const auto lowest = lowest_modes(
+                formulation_named<double>(name).operators(discrete.line, discrete.smoothing).D2, 10);
+            REQUIRE(lowest.size() == 10);
+            for (std::size_t k = 0; k < lowest.size(); ++k) {
+                CHECK(lowest[k].frequency.real() == support::relative(all[k].real(), 1e-9));
+                CHECK(lowest[k].residual < 1e-9);
+            }
+        }
+}
+
+TEST_CASE(
+    "(52): on long lines the lowest frequencies are exact to more digits than the round-off of D² has") {
+    const auto discrete = particles_of(30000);
+    const auto D2 =
+        formulation_named<double>("second_order_fpm").operators(discrete.line, discrete.smoothing).D2;
+    Index n = 0;
+    for (const Mode& mode : lowest_modes(D2, 3)) {
+        ++n;
+        CHECK(mode.frequency.real() ==
+              support::relative(exact_frequency(n), 3e-9 * static_cast<double>(n * n)));
+    }
+}
+
 TEST_CASE("(46): K is D² without the rows and columns of the ends") {
     const auto [line, smoothing] = particles_of(20);
     const auto D2 = formulation_named<double>("chen_beraun").operators(line, smoothing).D2;

@@ -6,6 +6,7 @@
 
 using namespace particles;
 using asprone2010::formulations;
+using asprone2010::numerical_tests::Discretisation;
 using support::particles_of;
 
 namespace {
@@ -72,6 +73,59 @@ TEST_CASE("operators: the same bytes on any number of threads") {
         }
     }
     omp_set_num_threads(omp_get_num_procs());
+}
+
+TEST_CASE(
+    "operators: particles computed together in a pack have the weights that each has alone, to 2e-12 of the "
+    "row's largest") {
+    const auto compare = [](const auto& rule, const Discretisation& how, const Requirement& required) {
+        const auto discrete = particles_of(203, how);
+        const auto& line = discrete.line;
+        const auto& smoothing = discrete.smoothing;
+        const auto of_line = assemble(line, smoothing, required, rule);
+        double worst = 0;
+        for (Index i = 0; i < line.size(); ++i) {
+            const Range near = within_reach(line, smoothing, i);
+            const Derivatives<double> alone = rule(neighbourhood(line, smoothing, i, near));
+            const auto differ = [&](const Operator<double>& rows, const Column<double>& weights, int order) {
+                const Column<double> expected = weights / std::pow(smoothing.h(i), order);
+                REQUIRE(rows.innerVector(i).nonZeros() == near.size());
+                for (Index k = 0; k < near.size(); ++k)
+                    if (near.first + k != i)
+                        worst = std::max(worst, std::abs(rows.coeff(i, near.first + k) - expected[k]) /
+                                                    expected.abs().maxCoeff());
+            };
+            differ(of_line.D, alone.first, 1);
+            differ(of_line.D2, alone.second, 2);
+        }
+        CHECK(worst < 2e-12);
+    };
+    for (const Kernel& kernel : {Kernel(Gaussian{}), Kernel(QuinticSpline{}), Kernel(WendlandC4{})})
+        for (const double smoothing : {1.7, 2.0, 2.6})
+            for (const double perturbation : {0.0, 0.25})
+                for (const auto from : {Spacing::mean, Spacing::local}) {
+                    const Discretisation how{Volumes::partition, kernel, smoothing, perturbation, from};
+                    CAPTURE(name(kernel));
+                    CAPTURE(smoothing);
+                    compare([](const auto& near) { return asprone2010::chen_beraun::derivatives(near); }, how,
+                            {"chen_beraun", 3});
+                    compare([](const auto& near) { return asprone2010::modified_fpm::derivatives(near); },
+                            how, {"modified_fpm", 3});
+                    compare([](const auto& near) { return asprone2010::second_order_fpm::derivatives(near); },
+                            how, {"second_order_fpm", 4});
+                }
+}
+
+TEST_CASE("operators: applied twice is the product with itself, of rows of any length") {
+    for (const double smoothing : {0.7, 1.0, 4.0, 9.0})
+        for (const auto from : {Spacing::mean, Spacing::local})
+            for (const Index N : {9, 64, 65, 211}) {
+                const auto [line, of] = particles_of(N, {Volumes::equal, Gaussian{}, smoothing, 0.4, from});
+                const auto [D, D2] = formulations<double>()[0].operators(line, of);
+                const Eigen::MatrixXd dense(D), product = dense * dense;
+                CHECK((Eigen::MatrixXd(D2) - product).cwiseAbs().maxCoeff() <
+                      1e-13 * product.cwiseAbs().maxCoeff());
+            }
 }
 
 TEST_CASE("operators: rows are compressed and hold the neighbours in order") {

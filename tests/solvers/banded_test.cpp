@@ -5,6 +5,8 @@
 #include <Eigen/SparseLU>
 #include <random>
 
+#include "tests/relative.hpp"
+
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -38,6 +40,26 @@ TEST_CASE("banded: agrees with Eigen's SparseLU, for unsymmetric bands and rows 
     }
 }
 
+TEST_CASE("banded: the condition is estimated as LAPACK's dgbcon estimates it") {
+    for (const double diagonal : {4.0, 1.0, 0.3}) {
+        const int N = 150, below = 3, above = 5, height = 2 * below + above + 1;
+        Matrix A = random_banded(N, below, above, 7);
+        for (int i = 0; i < N; ++i) A.coeffRef(i, i) += diagonal;
+        for (int i = 0; i < N; ++i) A.row(i) /= Eigen::RowVectorXd(A.row(i)).cwiseAbs().maxCoeff();
+        Eigen::MatrixXd band = Eigen::MatrixXd::Zero(height, N);
+        for (int i = 0; i < N; ++i)
+            for (Matrix::InnerIterator entry(A, i); entry; ++entry)
+                band(below + above + i - entry.col(), entry.col()) = entry.value();
+        const double norm = band.cwiseAbs().colwise().sum().maxCoeff();
+        std::vector<lapack_int> pivots(N);
+        double expected = 0;
+        LAPACKE_dgbtrf(LAPACK_COL_MAJOR, N, N, below, above, band.data(), height, pivots.data());
+        LAPACKE_dgbcon(LAPACK_COL_MAJOR, '1', N, below, above, band.data(), height, pivots.data(), norm,
+                       &expected);
+        CHECK(solvers::BandedFactors<double>(A).reciprocal_condition() == support::relative(expected, 1e-9));
+    }
+}
+
 TEST_CASE("banded: rows are exchanged where the diagonal is zero") {
     Matrix A(3, 3);
     const std::vector<Eigen::Triplet<double>> entries{{0, 1, 1}, {1, 0, 2}, {2, 2, 4}};
@@ -64,8 +86,9 @@ TEST_CASE("banded: a singular system is reported, exactly and nearly singular on
                          "the linear system has rows that are zero or not finite",
                          particles::FailedComputation);
     A.coeffRef(1, 1) = 5;
-    CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d(1, std::nan(""), 1)),
-                    particles::FailedComputation);
+    CHECK_THROWS_WITH_AS(solvers::solve_banded(A, Eigen::Array3d(1, std::nan(""), 1)),
+                         "the linear system has a right-hand side that is not finite",
+                         particles::FailedComputation);
     CHECK_THROWS_AS(solvers::solve_banded(Matrix(3, 3), Eigen::Array3d::Ones()),
                     particles::FailedComputation);
 }
