@@ -155,17 +155,18 @@ System equations(const Problem& problem, const Cloud<2>& cloud, const Kernel& ke
     return of;
 }
 
-/// The nearest particles, twice as many as there are monomials or a few more; the whole support where it is not larger, or where
-/// fewer do not determine the monomials. In increasing order.
+/// The nearest particles, twice as many as there are monomials or a few more, and fewer in a cloud so large that the factors of their
+/// equations must be small; the whole support where it is not larger, or where fewer do not determine the monomials.
+/// \return in increasing order
 template <int m>
 std::vector<int> nearest(const Cloud<2>& cloud, const Kernel& kernel, Index I) {
+    constexpr std::size_t n = ssph_basis::terms<2, m>;
+    const std::size_t enough = cloud.size() > 200000 ? n + 3 : 2 * n + 1;
     const Point<2> x = cloud.x().col(I);
     const double h = cloud.h()[I];
     for (double rho = 1.5; rho < kernel.rho(); rho *= 1.1) {
         std::vector<int> among = cloud.within(x, rho * h);
-        if (among.size() > 2 * ssph_basis::terms<2, m> &&
-            ssph_basis::determined<m>(cloud, kernel, x, h, among))
-            return among;
+        if (among.size() >= enough && ssph_basis::determined<m>(cloud, kernel, x, h, among)) return among;
     }
     return cloud.within(x, kernel.rho() * h);
 }
