@@ -185,7 +185,7 @@ double plate_error(bool printed) {
                     excess[static_cast<Index>(j)];
         }
     }
-    const Solution solution{{Method::strong, 3}, material, solvers::solve_sparse(system.A, system.b)};
+    const Solution solution{{Method::strong, 3}, material, solved(system)};
     return plate::largest_error_u2(cloud, solution, problem);
 }
 

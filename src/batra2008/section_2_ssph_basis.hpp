@@ -428,12 +428,13 @@ Column<Scalar> differentiated_value(const Basis<dim, m, Scalar>& basis, int axis
     return basis.differentiated(0, axis);
 }
 
-/// Would the particles within a scaling factor's reach determine the monomials?
-template <int dim, int m>
-bool determined(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h) {
+/// Would these particles of a cloud determine the monomials?
+/// \param among the particles that come into question
+template <int m, int dim>
+bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
+                const Point<dim>& x, double h, const std::vector<int>& among) {
     try {
-        const Basis<dim, m> basis(
-            particles::surroundings(cloud, particles::TruncatedGaussian<dim>(rho), x, h), h);
+        const Basis<dim, m> basis(particles::surroundings(cloud, kernel, x, h, among), h);
         return true;
     } catch (const particles::SingularNeighbourhood&) {
         return false;
@@ -453,7 +454,8 @@ template <int dim, int m>
         remedy = "take other particles";
         for (int more = 0; more < 50; ++more) {
             const double scaling = (std::max(enough, std::ceil(10 * rho + 5)) + more) / 10;
-            if (!determined<dim, m>(cloud, scaling, x, h)) continue;
+            const particles::TruncatedGaussian<dim> larger(scaling);
+            if (!determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h))) continue;
             remedy = "try --scaling " + particles::shown(scaling);
             break;
         }

@@ -16,7 +16,15 @@ using Matrix = particles::Operator<double>;
 struct System {
     Matrix A;
     Eigen::VectorXd b;
+    Matrix
+        nearest{};  ///< the same equations on the nearest particles, as solvers::iterated() needs them; or no rows
 };
+
+/// The displacements \f$u_1, u_2\f$ of each particle. [length]
+/// \throws particles::FailedComputation as solvers::solve_sparse()
+inline Eigen::VectorXd solved(System of) {
+    return solvers::solve_sparse(std::move(of.A), std::move(of.b), std::move(of.nearest));
+}
 
 /// Section 3.1, collocation of the strong form: "strong".
 ///
@@ -110,18 +118,16 @@ Block traction(const ssph_basis::Basis<2, m>& basis, const elastostatics::Materi
             factor * (nu0 * n[1] * K2 + shear * n[0] * K3), factor * (n[1] * K3 + shear * n[0] * K2)};
 }
 
-/// The system: equilibrium at the inner particles, two conditions at each boundary particle.
+/// The equations: equilibrium at the inner particles, two conditions at each boundary particle.
 /// \tparam m degree of the monomials, 2 or 3
+/// \param near the particles that come into question for the rows of each, in increasing order
 /// \throws particles::FailedComputation as ssph_basis::basis_at()
 template <int m>
-System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel) {
+System equations(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel,
+                 const std::vector<std::vector<int>>& near) {
     static_assert(m >= 2, "equilibrium has second derivatives");
     const double nu0 = elastostatics::nu0(problem.material);
     const double modulus = elastostatics::E0(problem.material) / (1 - nu0 * nu0);
-    std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
-    particles::for_each_index(cloud.size(), [&](Index I) {
-        near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * cloud.h()[I]);
-    });
     System of{solvers::rows_in_pairs(near), Eigen::VectorXd(2 * cloud.size())};
     particles::for_each_index(cloud.size(), [&](Index I) {
         const Point<2> x = cloud.x().col(I);
@@ -146,6 +152,40 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kerne
                 solvers::set_row(of.A, at, basis.particle(), rows.K21, rows.K22);
         }
     });
+    return of;
+}
+
+/// The nearest particles, twice as many as there are monomials or a few more, and fewer in a cloud so large that the factors of their
+/// equations must be small; the whole support where it is not larger, or where fewer do not determine the monomials.
+/// \return in increasing order
+template <int m>
+std::vector<int> nearest(const Cloud<2>& cloud, const Kernel& kernel, Index I) {
+    constexpr std::size_t n = ssph_basis::terms<2, m>;
+    const std::size_t enough = cloud.size() > 200000 ? n + 3 : 2 * n + 1;
+    const Point<2> x = cloud.x().col(I);
+    const double h = cloud.h()[I];
+    for (double rho = 1.5; rho < kernel.rho(); rho *= 1.1) {
+        std::vector<int> among = cloud.within(x, rho * h);
+        if (among.size() >= enough && ssph_basis::determined<m>(cloud, kernel, x, h, among)) return among;
+    }
+    return cloud.within(x, kernel.rho() * h);
+}
+
+/// The system; a large one with the same equations on the nearest particles, by the same kernel.
+/// \tparam m degree of the monomials, 2 or 3
+/// \param small so many particles, or fewer, are solved faster without those equations
+/// \throws particles::FailedComputation as ssph_basis::basis_at()
+template <int m>
+System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, Index small = 2000) {
+    std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
+    particles::for_each_index(cloud.size(), [&](Index I) {
+        near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * cloud.h()[I]);
+    });
+    System of = equations<m>(problem, cloud, kernel, near);
+    if (cloud.size() <= small) return of;
+    particles::for_each_index(
+        cloud.size(), [&](Index I) { near[static_cast<std::size_t>(I)] = nearest<m>(cloud, kernel, I); });
+    of.nearest = equations<m>(problem, cloud, kernel, near).A;
     return of;
 }
 

@@ -34,8 +34,7 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Discretisatio
 
 Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how) {
     elastostatics::check_inside(cloud, problem);
-    const System of = system(problem, cloud, how);
-    return {how, problem.material, solvers::solve_sparse(of.A, of.b)};
+    return {how, problem.material, solved(system(problem, cloud, how))};
 }
 
 State state_at(const Cloud<2>& cloud, const Solution& of, const Point<2>& x) {

@@ -187,9 +187,9 @@ example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
     elastostatics::check_inside(cloud, problem);
     forget_peak();
     const auto start = std::chrono::steady_clock::now();
-    const System system = example_problems::system(problem, cloud, how);
+    System system = example_problems::system(problem, cloud, how);
     const auto assembled = std::chrono::steady_clock::now();
-    example_problems::Solution solution{how, problem.material, solvers::solve_sparse(system.A, system.b)};
+    example_problems::Solution solution{how, problem.material, batra2008::solved(std::move(system))};
     const auto done = std::chrono::steady_clock::now();
     cost.assembly = std::chrono::duration<double>(assembled - start).count();
     cost.solution = std::chrono::duration<double>(done - assembled).count();

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <unsupported/Eigen/IterativeSolvers>
 #include <vector>
 
 #include "particles/errors.hpp"
@@ -59,45 +61,155 @@ inline void set_row(SparseRows& A, Eigen::Index row, const std::vector<int>& par
     }
 }
 
-/// Solves A x = b by a sparse factorisation with row exchanges, after the rows are scaled to a largest entry of 1: rows of
+/// Scales each row of A to a largest entry of 1, and with it the load and the row of a matrix of the same equations: rows of
 /// boundary conditions and of equilibrium differ by many powers of ten, and unscaled ruin the choice of pivots.
+/// \param nearest as many rows as A, or none
+inline void scale_rows(SparseRows& A, Eigen::VectorXd& b, SparseRows& nearest) {
+    const auto values = [](SparseRows& of, Eigen::Index row) {
+        const int first = of.outerIndexPtr()[row];
+        return Eigen::Map<Eigen::ArrayXd>(of.valuePtr() + first, of.outerIndexPtr()[row + 1] - first);
+    };
+    particles::for_each_index(A.rows(), [&](Eigen::Index row) {
+        double largest = 0;
+        for (const double entry : values(A, row)) largest = std::max(largest, std::abs(entry));
+        const double scale = 1 / largest;
+        values(A, row) *= scale;
+        b[row] *= scale;
+        if (nearest.rows() > 0) values(nearest, row) *= scale;
+    });
+}
+
+/// What is left of a system's largest row, against the sizes of the terms that it sums.
+inline double relative_residual(const SparseRows& A, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
+    Eigen::VectorXd left(A.rows()), size(A.rows());
+    particles::for_each_index(A.rows(), [&](Eigen::Index row) {
+        double sum = 0, terms = 0;
+        for (SparseRows::InnerIterator entry(A, row); entry; ++entry) {
+            sum += entry.value() * x[entry.col()];
+            terms += std::abs(entry.value() * x[entry.col()]);
+        }
+        left[row] = std::abs(b[row] - sum);
+        size[row] = terms;
+    });
+    const double largest = size.maxCoeff() + b.cwiseAbs().maxCoeff();
+    return largest == 0 ? 0 : left.maxCoeff() / largest;
+}
+
+/// Relative residual of what counts as solved.
+inline constexpr double largest_residual = 1e-12;
+
+/// The triangular factors of a sparse matrix, with row exchanges.
+class Factors {
+  public:
+    struct Settings {
+        int ordering =
+            UMFPACK_ORDERING_METIS;  ///< fills less than UMFPACK_ORDERING_AMD, which is found sooner
+        bool refined = true;         ///< does solve() refine what it finds?
+    };
+    Factors(const SparseRows& A, const Settings& settings) : columns_(A) {
+        auto& control = factors_.umfpackControl();
+        control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // neighbours are so mutually, or nearly
+        control[UMFPACK_ORDERING] = settings.ordering;
+        control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
+        if (!settings.refined) control[UMFPACK_IRSTEP] = 0;
+        factors_.compute(columns_);
+        if (factors_.info() != Eigen::Success) {
+            fault_ = factors_.out_of_memory() ? "does not fit into memory" : "is singular";
+            return;
+        }
+        // Nearly every vector shows that a matrix is singular; the load may be one of the few that do not.
+        const Eigen::VectorXd probe = Eigen::VectorXd::NullaryExpr(A.rows(), [](Eigen::Index k) {
+            return std::cos(static_cast<double>(k) * static_cast<double>(k));
+        });
+        const double growth = solve(probe).cwiseAbs().maxCoeff();
+        if (!(growth < 1 / (100 * std::numeric_limits<double>::epsilon()))) fault_ = "is singular";
+    }
+
+    /// Why the matrix cannot be solved with; empty if it can.
+    [[nodiscard]] const std::string& fault() const { return fault_; }
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
+
+  private:
+    /// The factors of a million particles have too many entries for the indices of an int.
+    using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
+    struct Umfpack : Eigen::UmfPackLU<Columns> {
+        [[nodiscard]] bool out_of_memory() const { return m_fact_errorCode < 0; }
+    };
+
+    Columns columns_;
+    Umfpack factors_;
+    std::string fault_;
+};
+
+namespace detail {
+
+/// Factors in the shape in which Eigen's iterations take a preconditioner.
+class Preconditioner {
+  public:
+    void take(const Factors& factors) { factors_ = &factors; }
+    template <class Matrix>
+    Preconditioner& compute(const Matrix& /*A*/) {
+        return *this;
+    }
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors_->solve(b); }
+    [[nodiscard]] Eigen::ComputationInfo info() const { return Eigen::Success; }
+
+  private:
+    const Factors* factors_ = nullptr;
+};
+
+}  // namespace detail
+
+/// Solves A x = b by GMRES. Its preconditioner are the factors of the same equations on fewer, the nearest, particles. Both agree on
+/// all that varies slowly: the number of iterations does not grow with that of the particles. The residual that is made small is
+/// the preconditioned one, which is as large as the error of x; how to choose what is nearest, and what else was tried, stands
+/// in paper/batra2008.md.
+/// \param nearest rows scaled as those of A are
+/// \return nothing where the iteration does not converge, or where one of the matrices is singular: what moves freely without
+///         the far neighbours does so with them
+inline std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
+                                               const SparseRows& nearest) {
+    const int ordering = A.rows() > 100000 ? UMFPACK_ORDERING_METIS : UMFPACK_ORDERING_AMD;
+    const Factors factors(nearest, {.ordering = ordering, .refined = false});
+    if (!factors.fault().empty()) return {};
+    Eigen::GMRES<SparseRows, detail::Preconditioner> gmres;
+    gmres.preconditioner().take(factors);
+    gmres.compute(A);
+    gmres.set_restart(20);
+    gmres.setMaxIterations(60);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+    // Far larger than the first guess is x only where A is singular and nearest is not.
+    const double most = 1e6 * factors.solve(b).cwiseAbs().maxCoeff();
+    // Where round-off was felt, again from the true residual.
+    for (const double tolerance : {1e-14, 1e-4, 1e-4}) {
+        gmres.setTolerance(tolerance);
+        x = gmres.solveWithGuess(b, x).eval();
+        if (gmres.info() != Eigen::Success || !(x.cwiseAbs().maxCoeff() <= most)) return {};
+        if (relative_residual(A, x, b) < largest_residual) return x;
+    }
+    return {};
+}
+
+/// Solves A x = b, after the rows are scaled: iterated() if the same equations on the nearest particles are given, and where that
+/// fails or they are not by a sparse factorisation of A.
+/// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
 /// \throws particles::FailedComputation where A is singular to working precision or the residual stays large
-inline Eigen::VectorXd solve_sparse(const SparseRows& A, const Eigen::VectorXd& b) {
+inline Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest = {}) {
     const auto refuse = [&](const std::string& why) {
         throw particles::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
                                            why + "; take another scaling factor or other particles");
     };
-    Eigen::VectorXd scale(A.rows());
-    particles::for_each_index(A.rows(), [&](Eigen::Index row) {
-        double largest = 0;
-        for (SparseRows::InnerIterator entry(A, row); entry; ++entry)
-            largest = std::max(largest, std::abs(entry.value()));
-        scale[row] = 1 / largest;
-    });
-    const Eigen::SparseMatrix<double> scaled = scale.asDiagonal() * A;
-    const Eigen::VectorXd load = scale.cwiseProduct(b);
-    if (!load.allFinite() ||
-        !Eigen::Map<const Eigen::ArrayXd>(scaled.valuePtr(), scaled.nonZeros()).allFinite())
+    scale_rows(A, b, nearest);
+    if (!b.allFinite() || !Eigen::Map<const Eigen::ArrayXd>(A.valuePtr(), A.nonZeros()).allFinite())
         refuse("has rows that are zero or not finite");
+    if (nearest.rows() > 0)
+        if (const auto x = iterated(A, b, nearest)) return *x;
 
-    Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factors;
-    auto& control = factors.umfpackControl();
-    control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // neighbours are so mutually, or nearly
-    control[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-    control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
-    factors.compute(scaled);
-    if (factors.info() != Eigen::Success) refuse("is singular");
-    // Nearly every vector shows that a matrix is singular; the load may be one of the few that do not.
-    const Eigen::VectorXd probe = Eigen::VectorXd::NullaryExpr(
-        A.rows(), [](Eigen::Index k) { return std::cos(static_cast<double>(k) * static_cast<double>(k)); });
-    const double growth = Eigen::VectorXd(factors.solve(probe)).cwiseAbs().maxCoeff();
-    if (!(growth < 1 / (100 * std::numeric_limits<double>::epsilon()))) refuse("is singular");
-
-    Eigen::VectorXd x = factors.solve(load);
-    const double size =
-        Eigen::VectorXd(scaled.cwiseAbs() * x.cwiseAbs()).maxCoeff() + load.cwiseAbs().maxCoeff();
-    const double residual = size == 0 ? 0 : (load - scaled * x).cwiseAbs().maxCoeff() / size;
-    if (!(residual < 1e-12))
+    const Factors factors(A, {});
+    if (!factors.fault().empty()) refuse(factors.fault());
+    const Eigen::VectorXd x = factors.solve(b);
+    const double residual = relative_residual(A, x, b);
+    if (!(residual < largest_residual))
         refuse("was not solved (relative residual " + particles::shown(residual, 2) + ")");
     return x;
 }

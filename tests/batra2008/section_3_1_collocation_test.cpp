@@ -1,5 +1,8 @@
 #include "batra2008/section_3_1_collocation.hpp"
 
+#include <omp.h>
+
+#include "batra2008/section_4_2_hole.hpp"
 #include "tests/batra2008/elastic.hpp"
 
 using namespace batra2008;
@@ -93,4 +96,60 @@ TEST_CASE(
     const Cloud<2> cloud(support::moved_grid(16, 4, 0.15, 1));
     const auto solution = example_problems::solve(problem, cloud, {example_problems::Method::strong, 4.5, 2});
     CHECK(support::relative_error(cloud, solution, problem) > 1e-4);
+}
+
+TEST_CASE("collocation: the nearest particles are some of the support, at least 13 where it has more") {
+    const Kernel kernel(4);
+    for (const Points<2>& x : {support::moved_grid(16, 4, 0.15, 1), hole::graded_layout({}, 188, 11, 1)}) {
+        const Cloud<2> cloud(x);
+        for (Index I = 0; I < cloud.size(); ++I) {
+            const std::vector<int> near = nearest<2>(cloud, kernel, I);
+            const std::vector<int> all = cloud.within(x.col(I), 4 * cloud.h()[I]);
+            CHECK(std::includes(all.begin(), all.end(), near.begin(), near.end()));
+            CHECK(near.size() >= std::min<std::size_t>(13, all.size()));
+            CHECK(near.size() <= 25);
+        }
+    }
+}
+
+TEST_CASE(
+    "collocation: by iteration and by factorisation a plate's and a hole's displacements agree to 1e-9, on "
+    "any "
+    "number of threads") {
+    struct Example {
+        Problem problem;
+        Points<2> x;
+    };
+    const Problem of_plate = plate::problem({plate::E, plate::nu}),
+                  of_hole = hole::problem({hole::E, hole::nu}, {});
+    const std::vector<Example> examples{{of_plate, plate::grid(61, 13)},
+                                        {of_plate, support::moved_grid(31, 7, 0.1, 2)},
+                                        {of_hole, hole::graded_layout({}, 686, 21, 1)},
+                                        {of_hole, hole::polar_layout({}, 21, 33)}};
+    for (const auto& [problem, x] : examples)
+        for (const double rho : {3.0, 4.0}) {
+            CAPTURE(x.cols());
+            CAPTURE(rho);
+            System of = system<2>(problem, Cloud<2>(x), Kernel(rho), 0);
+            solvers::scale_rows(of.A, of.b, of.nearest);
+            const Eigen::VectorXd direct = solvers::solve_sparse(of.A, of.b);
+            const auto iterated = solvers::iterated(of.A, of.b, of.nearest);
+            REQUIRE(iterated.has_value());
+            CHECK((*iterated - direct).cwiseAbs().maxCoeff() < 1e-9 * direct.cwiseAbs().maxCoeff());
+            const int threads = omp_get_max_threads();
+            omp_set_num_threads(threads == 1 ? 2 : 1);
+            CHECK(solvers::iterated(of.A, of.b, of.nearest) == iterated);
+            omp_set_num_threads(threads);
+        }
+}
+
+TEST_CASE("collocation: a plate that nothing holds is refused, large or small") {
+    Problem problem = plate::problem({plate::E, plate::nu});
+    problem.corners.clear();
+    for (elastostatics::Side& side : problem.sides) side.displaced = {false, false};
+    const Cloud<2> cloud(plate::grid(31, 7));
+    for (const Index small : {0, 1000})
+        CHECK_THROWS_WITH_AS(solved(system<2>(problem, cloud, Kernel(3), small)),
+                             doctest::Contains("the linear system of 434 unknowns is singular"),
+                             particles::FailedComputation);
 }

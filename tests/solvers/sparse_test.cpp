@@ -128,13 +128,63 @@ TEST_CASE("sparse: rows that are zero or not finite are refused, and so are such
                          doctest::Contains(why.c_str()), particles::FailedComputation);
 }
 
+TEST_CASE(
+    "sparse: rows are scaled to a largest entry of 1, with the load and the rows on the nearest particles") {
+    SparseRows A = full(Eigen::Matrix4d{{2, -4, 0, 0}, {0, 1e9, 0, 0}, {0, 0, -5e-3, 0}, {0, 0, 0, 1}});
+    SparseRows nearest = full(Eigen::Matrix4d::Identity());
+    Eigen::VectorXd b = Eigen::Vector4d(1, 2, 3, 4);
+    scale_rows(A, b, nearest);
+    CHECK(Eigen::Matrix4d(A).isApprox(
+        Eigen::Matrix4d{{0.5, -1, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 1}}, 1e-15));
+    CHECK(b.isApprox(Eigen::Vector4d(0.25, 2e-9, 600, 4), 1e-15));
+    CHECK(Eigen::Vector4d(Eigen::Matrix4d(nearest).diagonal())
+              .isApprox(Eigen::Vector4d(0.25, 1e-9, 200, 1), 1e-15));
+}
+
+TEST_CASE(
+    "sparse: with a matrix that is nearly A the iteration finds the known solution, and with its own too") {
+    const SparseRows A = random_matrix(200, 5, 1);
+    SparseRows nearly = A;
+    for (Index k = 0; k < A.nonZeros(); ++k) nearly.valuePtr()[k] *= k % 3 == 0 ? 1.2 : 1;
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3), b = A * x;
+    for (const SparseRows& nearest : {A, nearly}) {
+        const auto found = iterated(A, b, nearest);
+        REQUIRE(found.has_value());
+        CHECK((*found - x).cwiseAbs().maxCoeff() < 1e-12);
+    }
+    CHECK(iterated(A, Eigen::VectorXd::Zero(400), nearly)->isZero(0));
+}
+
+TEST_CASE("sparse: where the iteration fails the factorisation of A solves") {
+    const SparseRows A = random_matrix(200, 5, 1), other = random_matrix(200, 0, 7);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3), b = A * x;
+    CHECK(!iterated(A, b, other).has_value());
+    SparseRows singular = A;
+    for (SparseRows::InnerIterator entry(singular, 0); entry; ++entry) entry.valueRef() = 0;
+    CHECK(!iterated(A, b, singular).has_value());
+    for (const SparseRows& nearest : {other, singular})
+        CHECK((solve_sparse(A, b, nearest) - x).cwiseAbs().maxCoeff() < 1e-13);
+}
+
+TEST_CASE("sparse: a singular system is refused whatever stands for the nearest particles") {
+    const SparseRows singular = full(Eigen::Matrix4d{{1, 2, 3, 0}, {4, 5, 6, 0}, {7, 8, 9, 0}, {0, 0, 0, 1}});
+    const SparseRows regular = full(Eigen::Matrix4d{{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 1, 0}, {0, 0, 0, 1}});
+    for (const SparseRows& nearest : {singular, regular})
+        CHECK_THROWS_WITH_AS(
+            solve_sparse(singular, Eigen::Vector4d(1, 2, 5, 1), nearest),
+            "the linear system of 4 unknowns is singular; take another scaling factor or other particles",
+            particles::FailedComputation);
+}
+
 TEST_CASE("sparse: the same bits on any number of threads") {
     const SparseRows A = random_matrix(300, 5, 5);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(600, -1, 3);
     const int threads = omp_get_max_threads();
     omp_set_num_threads(1);
     const Eigen::VectorXd alone = solve_sparse(A, b);
+    const Eigen::VectorXd iterated_alone = solve_sparse(A, b, A);
     omp_set_num_threads(3);
     CHECK(solve_sparse(A, b) == alone);
+    CHECK(solve_sparse(A, b, A) == iterated_alone);
     omp_set_num_threads(threads);
 }
