@@ -28,7 +28,7 @@ PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) \
-            $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
+            $(addprefix src/programs/,options.cpp room.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' | LC_ALL=C sort))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 
