@@ -10,8 +10,8 @@ MAKEFLAGS += --jobs=$(shell nproc) --output-sync=target
 
 BUILD ?= build
 CXX ?= g++
-OPTIMISE ?= -O2
 # No contraction and no -march: data keep their bytes from one build to the next.
+OPTIMISE ?= -O2
 CXXFLAGS := -std=c++20 $(OPTIMISE) -ffp-contract=off -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
@@ -76,9 +76,9 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings figures check claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings figures check check-interrupts claims doc check-doc verify install examples clean
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@missing=
@@ -106,12 +106,16 @@ timings: $(bin)/plate ## measure what the methods cost on this machine, into dat
 	    set -- $$run
 	    env -u OPENBLAS_CORETYPE $(bin)/plate --method $$1 --particles $$2 --scaling 4 --seconds
 	done | awk '!/^(#|method)/ || !seen[$$0]++' > $(BUILD)/seconds.csv
-	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv
+	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv.tmp.csv
+	mv data/batra2008/seconds.csv.tmp.csv data/batra2008/seconds.csv
 
 figures: $(figures) ## draw the figures of the paper into figures/
 
 check: $(BUILD)/bin/check build ## run the tests
 	@$(BUILD)/bin/check
+
+check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
+	@bash tests/interrupts $(BUILD)
 
 claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write the README's table
 	@$(bin)/walkthrough --write-readme
@@ -183,12 +187,14 @@ $(BUILD)/src/programs/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "compile $<"
-	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -c $< -o $@
+	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
+	mv $@.tmp.o $@
 
 $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.o $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@.tmp.bin
+	mv $@.tmp.bin $@
 
 $(bin)/plate $(bin)/hole $(bin)/check: $(BUILD)/src/programs/example_problems.o
 $(bin)/plate $(bin)/hole $(bin)/choices: $(BUILD)/src/batra2008/section_4_example_problems.o
@@ -196,7 +202,8 @@ $(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=
 $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@.tmp.bin
+	mv $@.tmp.bin $@
 
 $(BUILD)/libparticle-methods.a: $(BUILD)/src/batra2008/section_4_example_problems.o
 	@rm -f $@
@@ -209,6 +216,7 @@ ifeq ($(shell uname -m),x86_64)
 export OPENBLAS_CORETYPE := Nehalem
 endif
 
+# What is made takes its name when it is whole: whatever interrupts, nothing half-made looks finished.
 # Data. Each table hangs on the program that its command names, and a ledger on its claims.
 program_of = $(firstword $($(1:data/%.csv=%)))
 $(foreach table,$(tables),$(eval $(table): $(call program_of,$(table))))
@@ -217,6 +225,7 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
+	rm -f $@.tmp.*
 	$($*) --output $@
 data/BUILD-INFO.txt: $(sort $(foreach table,$(data),$(call program_of,$(table))))
 	@{
@@ -225,16 +234,17 @@ data/BUILD-INFO.txt: $(sort $(foreach table,$(data),$(call program_of,$(table)))
 	    echo "flags:    $(CXXFLAGS)"
 	    echo "system:   $$(uname -srm)"
 	    echo "date:     $$(date -u +%Y-%m-%dT%H:%M:%SZ)"
-	} > $@
+	} > $@.tmp.txt
+	mv $@.tmp.txt $@
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
 $(foreach paper,$(papers),$(eval $(filter figures/$(paper)/%,$(figures)): $(filter data/$(paper)/%,$(data))))
 figures/%.svg: figures/%.gp figures/style.gp
 	@log=$(BUILD)/log/$*.gnuplot
 	mkdir -p $$(dirname $$log)
+	trap 'rm -f $@.tmp.svg' EXIT
 	if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $$log || [[ -s $$log ]]; then
 	    cat $$log >&2
-	    rm -f $@.tmp.svg
 	    exit 1
 	fi
 	mv $@.tmp.svg $@
