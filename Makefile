@@ -31,8 +31,8 @@ PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/asprone2010/formulations.cpp src/solvers/spectrum.cpp \
-            $(addprefix src/programs/,options.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
-tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort))
+            $(addprefix src/programs/,options.cpp room.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
+tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort))
 benchmarks := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/benchmarks/*.cpp))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 
@@ -83,9 +83,9 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings bench figures check claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check check-interrupts claims doc check-doc verify install examples clean
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@missing=
@@ -113,7 +113,8 @@ timings: $(bin)/plate ## measure what the methods cost on this machine, into dat
 	    set -- $$run
 	    env -u OPENBLAS_CORETYPE $(bin)/plate --method $$1 --particles $$2 --scaling 4 --seconds
 	done | awk '!/^(#|method)/ || !seen[$$0]++' > $(BUILD)/seconds.csv
-	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv
+	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv.tmp.csv
+	mv data/batra2008/seconds.csv.tmp.csv data/batra2008/seconds.csv
 
 # From the same source, but as fast as the compiler makes it for this machine. Of the processor's widest instructions, g++ 12 warns
 # in its own headers.
@@ -135,6 +136,9 @@ figures: $(figures) ## draw the figures of the paper into figures/
 
 check: $(BUILD)/bin/check build ## run the tests
 	@$(BUILD)/bin/check
+
+check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
+	@bash tests/interrupts $(BUILD)
 
 claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write the README's table
 	@$(bin)/walkthrough --write-readme
@@ -206,12 +210,14 @@ $(BUILD)/src/programs/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "compile $<"
-	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -c $< -o $@
+	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
+	mv $@.tmp.o $@
 
 $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.o $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@.tmp.bin
+	mv $@.tmp.bin $@
 
 $(bin)/plate $(bin)/hole $(bin)/check: $(BUILD)/src/programs/example_problems.o
 $(bin)/plate $(bin)/hole $(bin)/choices: $(BUILD)/src/batra2008/section_4_example_problems.o
@@ -219,12 +225,14 @@ $(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=
 $(BUILD)/bin/check: $(tests) $(common)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@.tmp.bin
+	mv $@.tmp.bin $@
 
 $(BUILD)/bin/bench: $(benchmarks) $(common) $(BUILD)/src/batra2008/section_4_example_problems.o
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -lbenchmark -o $@
+	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -lbenchmark -o $@.tmp.bin
+	mv $@.tmp.bin $@
 
 $(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
                                 $(BUILD)/src/batra2008/section_4_example_problems.o
@@ -238,6 +246,7 @@ ifeq ($(shell uname -m),x86_64)
 export OPENBLAS_CORETYPE := Nehalem
 endif
 
+# What is made takes its name when it is whole: whatever interrupts, nothing half-made looks finished.
 # Data. Each table hangs on the program that its command names, and a ledger on its claims.
 program_of = $(firstword $($(1:data/%.csv=%)))
 $(foreach table,$(tables),$(eval $(table): $(call program_of,$(table))))
@@ -246,6 +255,7 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
+	rm -f $@.tmp.*
 	$($*) --output $@
 data/BUILD-INFO.txt: $(sort $(foreach table,$(data),$(call program_of,$(table))))
 	@{
@@ -254,16 +264,17 @@ data/BUILD-INFO.txt: $(sort $(foreach table,$(data),$(call program_of,$(table)))
 	    echo "flags:    $(CXXFLAGS)"
 	    echo "system:   $$(uname -srm)"
 	    echo "date:     $$(date -u +%Y-%m-%dT%H:%M:%SZ)"
-	} > $@
+	} > $@.tmp.txt
+	mv $@.tmp.txt $@
 
 # Figures: gnuplot's complaints count as failures, and a failure leaves no file.
 $(foreach paper,$(papers),$(eval $(filter figures/$(paper)/%,$(figures)): $(filter data/$(paper)/%,$(data))))
 figures/%.svg: figures/%.gp figures/style.gp
 	@log=$(BUILD)/log/$*.gnuplot
 	mkdir -p $$(dirname $$log)
+	trap 'rm -f $@.tmp.svg' EXIT
 	if ! LC_ALL=C.UTF-8 gnuplot -e "output = '$@.tmp.svg'" $< 2> $$log || [[ -s $$log ]]; then
 	    cat $$log >&2
-	    rm -f $@.tmp.svg
 	    exit 1
 	fi
 	mv $@.tmp.svg $@

@@ -128,10 +128,15 @@ LeadingError<Scalar> leading_error(const Stencil<Scalar>& of, int derivative) {
 }
 
 /// Number of particles, at spacing δ, that a kernel reaches on one side.
+/// \throws particles::InvalidInput unless that is positive and at most 1000: stencils cost its third power
 template <class Scalar>
 Index reach_in_spacings(const numerical_tests::Discretisation& how) {
-    using std::ceil;
-    return static_cast<Index>(ceil(support<Scalar>(how.kernel) * Scalar(how.smoothing)));
+    const double reach = std::ceil(support<double>(how.kernel) * how.smoothing);
+    if (!(reach > 0 && reach <= 1000))
+        throw particles::InvalidInput("h/delta of " + particles::shown(how.smoothing) +
+                                      " gives stencils that reach over " + particles::shown(reach) +
+                                      " spacings, not over 1 to 1000; take another --smoothing");
+    return static_cast<Index>(reach);
 }
 
 /// The first particle, counted from the end, whose rows do not feel the end, though an operator be applied twice.

@@ -96,6 +96,14 @@ inline std::array<double, 2> along_x2_axis(const elastostatics::Material& of, co
     return {sigma_0 / (4 * G) * r * ((kappa - 3) / 2 - kappa * q + q * q), 1 + q / 2 + 3 * q * q / 2};
 }
 
+/// \throws particles::InvalidInput unless 0 < b < side
+inline Shape checked(const Shape& shape) {
+    if (!(shape.b > 0 && shape.b < shape.side && std::isfinite(shape.side)))
+        throw particles::InvalidInput("the hole's radius must lie between 0 and the side " +
+                                      particles::shown(shape.side) + ", got " + particles::shown(shape.b));
+    return shape;
+}
+
 /// The example problem: symmetry at the two axes, a free hole, and the exact tractions at the outer edges. \defeq{B4.9}
 /// \f[ \begin{aligned} u_1 = 0,\ t_2 = 0 &\ \text{on boundary 1 (the}\ x_2\text{-axis)}; & t_1 = t_2 = 0 &\ \text{on boundary 2 (the hole)};
 ///     \\ t_1 = 0,\ u_2 = 0 &\ \text{on boundary 3 (the}\ x_1\text{-axis)}; & t_1 = \bar t_1,\ t_2 = \bar t_2 &\ \text{on boundaries 4 and 5}
@@ -103,10 +111,7 @@ inline std::array<double, 2> along_x2_axis(const elastostatics::Material& of, co
 /// \throws particles::InvalidInput unless 0 < b < side
 inline Problem problem(const elastostatics::Material& material, const Shape& shape) {
     using particles::Arc, particles::Segment;
-    const auto [b, side] = shape;
-    if (!(b > 0 && b < side && std::isfinite(side)))
-        throw particles::InvalidInput("the hole's radius must lie between 0 and the side " +
-                                      particles::shown(side) + ", got " + particles::shown(b));
+    const auto [b, side] = checked(shape);
     Problem of{elastostatics::checked(material), {}, {}, {}, side};
     of.sides = {{Segment{{b, 0}, {side, 0}}, {false, true}},
                 {Segment{{side, 0}, {side, side}}},

@@ -11,6 +11,7 @@
 #include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/papers.hpp"
+#include "report/read_table.hpp"
 #include "report/table.hpp"
 
 namespace {
@@ -121,13 +122,13 @@ int main(int argc, char** argv) {
     return programs::run(app, argc, argv, [&] {
         for (const std::string& file : decided) {
             const std::string paper = std::filesystem::absolute(file).parent_path().filename().string();
-            std::cout << (decided.size() > 1 ? paper + ": " : "")
-                      << summary(report::parsed(report::read_whole(file))) << "\n";
+            std::cout << (decided.size() > 1 ? paper + ": " : "") << summary(report::read_table(file))
+                      << "\n";
         }
         if (!decided.empty()) return 0;
         const auto papers = report::papers(report::parsed_words(report::read_whole("paper/papers.csv")));
         const Paper& paper = report::paper_named(folder, papers);
-        const auto claims = report::by_paper(report::parsed(report::read_whole(ledger)), papers);
+        const auto claims = report::by_paper(report::read_table(ledger), papers);
         report::write_whole(output, report::csv(judged(claims.at(folder), paper)));
         return 0;
     });

@@ -2,8 +2,7 @@
 #include <iostream>
 
 #include "programs/options.hpp"
-#include "report/file.hpp"
-#include "report/table.hpp"
+#include "report/read_table.hpp"
 
 int main(int argc, char** argv) {
     CLI::App app(
@@ -14,8 +13,8 @@ int main(int argc, char** argv) {
     app.add_option("committed", committed, "CSV file that states its tolerances")->required();
     app.add_option("regenerated", regenerated, "CSV file to compare")->required();
     return programs::run(app, argc, argv, [&] {
-        const auto expected = report::parsed(report::read_whole(committed));
-        const auto found = report::differences(expected, report::parsed(report::read_whole(regenerated)));
+        const auto expected = report::read_table(committed);
+        const auto found = report::differences(expected, report::read_table(regenerated));
         for (const std::string& difference : found) std::cout << committed << ": " << difference << "\n";
         std::cout << committed << ": " << expected.rows.size() << " rows, "
                   << (found.empty() ? "all within tolerance" : std::to_string(found.size()) + " differences")

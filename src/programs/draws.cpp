@@ -68,6 +68,8 @@ int main(int argc, char** argv) {
             wanted.clear();
             for (const auto& of : programs::formulations()) wanted.emplace_back(of.name);
         }
+        const numerical_tests::Discretisation how;
+        programs::check_line(N, particles::support<double>(how.kernel) * how.smoothing);
         report::Table table;
         table.comments = {
             "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section "

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "programs/options.hpp"
+#include "programs/room.hpp"
 #include "report/file.hpp"
 
 namespace programs {
@@ -132,6 +133,20 @@ std::array<long, 2> pair_of(const std::string& option, const std::string& text) 
     return {std::lround(first), std::lround(second)};
 }
 
+void check_cloud(double particles, double neighbours) {
+    // Two rows for each particle, two entries in each for a neighbour: by rows, by columns, and in factors that fill in.
+    const double entries = 4 * particles * std::min(neighbours, particles);
+    check_room_of_entries(particles::shown(particles, 12) + " particles", entries,
+                          3 * entries * (sizeof(double) + sizeof(int)),
+                          "take fewer particles or a smaller --scaling");
+}
+
+void check_states(double places) {
+    const auto columns = static_cast<double>(case_columns().size() + state_columns().size());
+    check_room(particles::shown(places, 12) + " places of --states", places * columns * sizeof(Cell),
+               "take fewer");
+}
+
 std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                const std::function<double(const elastostatics::Material&)>& penalty) {
     using example_problems::Method;
@@ -141,6 +156,18 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
         for (const std::string& name : options.methods)
             methods.push_back(example_problems::method_named(name));
     }
+    double count = static_cast<double>(methods.size());
+    for (const auto& [option, list] : {std::pair("--poisson", options.poisson),
+                                       {"--degree", options.degree},
+                                       {"--scaling", options.scaling},
+                                       {"--test-scaling", options.test_scaling},
+                                       {"--gauss", options.gauss},
+                                       {"--penalty", options.penalty}})
+        if (!list.empty()) count *= static_cast<double>(numbers(option, list).size());
+    check_room(particles::shown(count) + " cases",
+               count * (sizeof(ExampleCase) + sizeof(Cell) * static_cast<double>(case_columns().size())),
+               "take shorter lists");
+
     std::vector<ExampleCase> all;
     for (const Method method : methods)
         for (const double nu : numbers("--poisson", options.poisson))

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "batra2008/section_4_example_problems.hpp"
+#include "report/file.hpp"
 #include "report/table.hpp"
 
 namespace programs {
@@ -33,6 +34,11 @@ std::vector<long> whole_numbers(const std::string& option, const std::string& li
 /// The pair of a text such as 16x4. \throws particles::InvalidInput showing the text
 std::array<long, 2> pair_of(const std::string& option, const std::string& text);
 
+/// Refuses particles and places of states whose matrices and rows cannot be held. \throws particles::InvalidInput
+/// \param neighbours of a particle at the least, within the support of the basis
+void check_cloud(double particles, double neighbours);
+void check_states(double places);
+
 /// One thing to solve: a method with its parameters, and a material.
 struct ExampleCase {
     batra2008::example_problems::Discretisation how;
@@ -41,6 +47,7 @@ struct ExampleCase {
 
 /// All cases that the options ask for, method by method.
 /// \param E Young's modulus \param penalty the print's penalty parameter, for `--penalty` is a factor to it
+/// \throws particles::InvalidInput for what has no meaning, and for more cases than can be held
 std::vector<ExampleCase> cases(
     const ExampleOptions& options, double E,
     const std::function<double(const batra2008::elastostatics::Material&)>& penalty);
@@ -81,7 +88,8 @@ void add_states(report::Table& table, const std::vector<report::Cell>& of, const
 /// format), else CSV. It is written once all solutions are known.
 class FieldFile {
   public:
-    explicit FieldFile(std::string path) : path_(std::move(path)) {}
+    /// \throws particles::FailedComputation for a file that could not be written in the end
+    explicit FieldFile(std::string path) : path_(std::move(path)) { report::check_writable(path_); }
     /// \throws particles::InvalidInput for solutions on other particles than the first
     void add(const ExampleCase& of, const Solved& solved);
     void write() const;

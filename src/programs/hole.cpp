@@ -49,15 +49,23 @@ Points<2> read_positions(const std::string& path) {
     return positions;
 }
 
-/// The particles of a layout by its name, or of a file. \param drawn whether another draw is another layout
-Points<2> positions(const std::string& layout, const hole::Shape& shape, unsigned long draw, bool& drawn) {
+/// The particles of a layout by its name, or of a file. \param rho the least scaling factor: they must be few enough for that
+/// \param drawn whether another draw is another layout
+Points<2> positions(const std::string& layout, const hole::Shape& shape, unsigned long draw, double rho,
+                    bool& drawn) {
     static const std::regex graded("graded-([0-9]{1,6})-([0-9]{1,6})"),
         polar("polar-([0-9]{1,5})x([0-9]{1,5})");
     std::smatch found;
     drawn = std::regex_match(layout, found, graded);
-    if (drawn) return hole::graded_layout(shape, std::stol(found[1]), std::stol(found[2]), draw);
-    if (std::regex_match(layout, found, polar))
-        return hole::polar_layout(shape, std::stol(found[1]), std::stol(found[2]));
+    const auto count = [&](int k) { return std::stol(found[k]); };
+    if (drawn) {
+        programs::check_cloud(static_cast<double>(count(1)), rho * rho);
+        return hole::graded_layout(shape, count(1), count(2), draw);
+    }
+    if (std::regex_match(layout, found, polar)) {
+        programs::check_cloud(static_cast<double>(count(1) * count(2)), rho * rho);
+        return hole::polar_layout(shape, count(1), count(2));
+    }
     if (layout.find('.') == std::string::npos && layout.find('/') == std::string::npos)
         throw particles::InvalidInput(
             "there is no layout '" + layout +
@@ -77,6 +85,7 @@ std::vector<Point<2>> places(const std::string& where, long points, const hole::
     }
     const auto grid = [&] {
         const auto [rings, rays] = programs::pair_of("--states", where);
+        programs::check_states(static_cast<double>(rings) * static_cast<double>(rays));
         return hole::polar_layout(shape, rays, rings);
     };
     const Points<2> x = where == "particles" ? cloud.x() : grid();
@@ -136,6 +145,8 @@ int main(int argc, char** argv) {
         const auto cases = programs::cases(options, hole::E, hole::penalty);
         const std::vector<double> all_radii = programs::numbers("--radius", radii);
         if (!figure.path.empty()) check_drawable(options, cases, layouts.size() * all_radii.size() * draws);
+        double rho = cases.front().how.scaling;
+        for (const programs::ExampleCase& of : cases) rho = std::min(rho, of.how.scaling);
         programs::FieldFile field(options.field);
         report::Table table;
         table.comments = {
@@ -161,9 +172,9 @@ int main(int argc, char** argv) {
         for (const std::string& layout : layouts)
             for (const double radius : all_radii)
                 for (unsigned long seed = draw; seed < draw + draws; ++seed) {
-                    const hole::Shape shape{radius, 3};
+                    const hole::Shape shape = hole::checked({radius, 3});
                     bool drawn = false;
-                    const Cloud<2> cloud(positions(layout, shape, seed, drawn));
+                    const Cloud<2> cloud(positions(layout, shape, seed, rho, drawn));
                     if (!drawn && seed > draw) continue;
                     const auto mesh = hole::mesh(shape);
                     for (const programs::ExampleCase& of : cases) {

@@ -5,14 +5,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
+#include <new>
 
 #include "particles/errors.hpp"
 #include "particles/operators.hpp"
 #include "programs/formulations.hpp"
 #include "programs/positions.hpp"
 #include "programs/progress.hpp"
+#include "programs/room.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
 #include "solvers/blas_threads.hpp"
@@ -61,6 +64,16 @@ std::string parameters(const Options& options) {
 }
 
 }  // namespace
+
+void check_line(long N, double reach, std::size_t scalar) {
+    if (N < 2) throw InvalidInput("a line needs at least 2 particles, got " + std::to_string(N));
+    const auto count = static_cast<double>(N), size = static_cast<double>(scalar + sizeof(int));
+    // D and D², which sees as far again where D is applied twice.
+    const double once = count * std::min(2 * reach + 1, count),
+                 twice = count * std::min(4 * reach + 1, count);
+    check_room_of_entries(std::to_string(N) + " particles", twice, (once + twice) * size,
+                          "take fewer particles or a smaller --smoothing");
+}
 
 std::vector<long> four_a_doubling() {
     std::vector<long> N;
@@ -155,6 +168,17 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
 
+    const double reach = particles::support<double>(particles::kernel_named(options.kernel)) *
+                         (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0);
+    const std::size_t scalar =
+        in_precision(options.precision, [](auto zero) { return sizeof(decltype(zero)); });
+    for (const long N : options.particles) check_line(N, reach, scalar);
+    const double count = static_cast<double>(wanted.size() * options.particles.size()) *
+                         static_cast<double>(options.perturbations.size()) *
+                         static_cast<double>(options.seeds);
+    check_room(particles::shown(count) + " cases", count * (sizeof(Case) + sizeof(std::vector<Cell>)),
+               "take fewer --seeds, --particles or perturbations");
+
     std::vector<Case> all;
     for (const std::string& formulation : wanted)
         for (const double perturbation : options.perturbations)
@@ -233,26 +257,57 @@ std::vector<std::string> described(const Options& options) {
     return comments;
 }
 
+namespace {
+
+constexpr const char* not_printed = "cannot write to the standard output";
+
+/// A message with what would break its line, or colour a terminal, shown as ?.
+std::string on_one_line(std::string text) {
+    for (char& letter : text)
+        if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
+    return text;
+}
+
+/// \throws InvalidInput for an option with an empty value: a shell's variable that was never set, most likely
+void check_given(const CLI::App& app) {
+    for (const CLI::Option* const option : app.get_options())
+        for (const std::string& value : option->results())
+            if (value.empty())
+                throw InvalidInput(option->get_name() + " is empty; give it a value or leave it out");
+}
+
+/// \throws FailedComputation where what was printed did not arrive
+void check_printed() {
+    if (!std::cout.flush()) throw particles::FailedComputation(not_printed);
+}
+
+}  // namespace
+
 int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
     const std::string program = app.get_name();
+    const auto refused = [&](int code, const std::string& why) {
+        std::cerr << program << ": " << on_one_line(why) << "\n";
+        return code;
+    };
     try {
         app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        return app.exit(asked);
-    } catch (const CLI::ParseError& error) {
-        std::cerr << program << ": " << error.what() << "; see " << program << " --help\n";
-        return 2;
-    }
-    try {
+        check_given(app);
         gsl_set_error_handler_off();
         solvers::use_one_blas_thread();
-        return body();
+        const int code = body();
+        check_printed();
+        return code;
+    } catch (const CLI::Success& asked) {
+        app.exit(asked);
+        return std::cout.flush() ? 0 : refused(1, not_printed);
+    } catch (const CLI::ParseError& error) {
+        return refused(2, std::string(error.what()) + "; see " + program + " --help");
     } catch (const InvalidInput& error) {
-        std::cerr << program << ": " << error.what() << "\n";
-        return 2;
+        return refused(2, error.what());
+    } catch (const std::bad_alloc&) {
+        return refused(1, "there is not enough memory; take fewer particles or a smaller smoothing length");
     } catch (const std::exception& error) {
-        std::cerr << program << ": " << error.what() << "\n";
-        return 1;
+        return refused(1, error.what());
     }
 }
 
@@ -260,11 +315,13 @@ int run(CLI::App& app, int argc, char** argv, const int& threads, const std::str
         const Figure& figure, const std::function<report::Table()>& compute) {
     return run(app, argc, argv, [&] {
         const bool drawn = !figure.path.empty();
+        report::check_writable(output);
         if (drawn) check_plot(figure);
         if (threads > 0) omp_set_num_threads(threads);
         const report::Table table = compute();
-        report::write_whole(output, report::csv(table));
-        if (drawn) plot(figure, table);
+        const std::string text = report::csv(table);
+        if (drawn) plot(figure, table);  // the more likely one to fail goes first
+        report::write_whole(output, text);
         return 0;
     });
 }

@@ -65,6 +65,7 @@ struct Case {
 
 /// All cases that the options ask for: formulation by formulation, then perturbation, particles and seed.
 /// Without a perturbation there is one seed only.
+/// \throws particles::InvalidInput for what has no meaning, and for more cases or particles than can be held
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra = {});
 
 /// Perturbation and seed of a case, for a table; empty where the particles lie at the positions of a file.
@@ -95,7 +96,12 @@ void add_plot_option(CLI::App& app, Figure& figure);
 /// Comments of the table: the equations of the formulations, and of the options what is the same in all rows.
 std::vector<std::string> described(const Options& options);
 
-/// The body of any main: options are read, then the work is done.
+/// The number of particles as options give it. \throws particles::InvalidInput for fewer than a line needs, and for operators
+/// of so many that cannot be held
+/// \param reach of the kernel, in spacings \param scalar bytes of a number
+void check_line(long N, double reach, std::size_t scalar = sizeof(double));
+
+/// The body of any main: options are read, then the work is done. A message stays on one line, whatever an option holds.
 /// \return what the work returns; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
 int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
 

@@ -79,11 +79,9 @@ int main(int argc, char** argv) {
     unsigned long seeds = 5;
     int threads = 0;
     std::string output;
-    app.add_option("--from", from, "least h/delta (default 0.6)")
-        ->type_name("RATIO")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--step", step, "its step (default 0.2)")->type_name("RATIO")->check(CLI::PositiveNumber);
-    app.add_option("--to", to, "largest h/delta (default 4)")->type_name("RATIO")->check(CLI::PositiveNumber);
+    app.add_option("--from", from, "least h/delta (default 0.6)")->type_name("RATIO");
+    app.add_option("--step", step, "its step (default 0.2)")->type_name("RATIO");
+    app.add_option("--to", to, "largest h/delta (default 4)")->type_name("RATIO");
     app.add_option("--seeds", seeds,
                    "draws of the perturbation, of whose errors medians are taken (default 5)")
         ->type_name("K")
@@ -99,7 +97,7 @@ int main(int argc, char** argv) {
 
     return programs::run(app, argc, argv, threads, output, figure, [&] {
         figure.told["step"] = particles::shown(step);
-        if (to < from || (to - from) / step > 1000)
+        if (!(from > 0 && to >= from && step > 0 && (to - from) / step <= 1000))  // nor for what is no number
             throw particles::InvalidInput("h/delta from " + particles::shown(from) + " to " +
                                           particles::shown(to) + " in steps of " + particles::shown(step) +
                                           " is no range of 1 to 1000 steps");

@@ -66,6 +66,14 @@ void check_drawable(const programs::ExampleOptions& options, const std::vector<p
             "(as Figure 9), all else being one value, without --states");
 }
 
+/// Refuses a grid that cannot be held: the basis sees the particles within ρ times their distance.
+void check_grid(long nx, long ny, double rho) {
+    if (nx < 2 || ny < 2) return;  // plate::grid() says so
+    const auto columns = static_cast<double>(nx), rows = static_cast<double>(ny);
+    const double dx = plate::L1 / (columns - 1), dy = plate::L2 / (rows - 1), reach = rho * std::min(dx, dy);
+    programs::check_cloud(columns * rows, std::max(1.0, reach / dx) * std::max(1.0, reach / dy));
+}
+
 /// The places of `--states`.
 std::vector<Point<2>> places(const std::string& where, long points, const Cloud<2>& cloud) {
     std::vector<Point<2>> chosen;
@@ -77,6 +85,7 @@ std::vector<Point<2>> places(const std::string& where, long points, const Cloud<
     }
     const auto grid = [&] {
         const auto [nx, ny] = programs::pair_of("--states", where);
+        programs::check_states(static_cast<double>(nx) * static_cast<double>(ny));
         return plate::grid(nx, ny);
     };
     const Points<2> x = where == "particles" ? cloud.x() : grid();
@@ -151,6 +160,7 @@ int main(int argc, char** argv) {
                     progress.step();
                     if (!strong && &corner != &choices.front()) continue;
                     const auto [nx, ny] = programs::pair_of("--particles", text);
+                    check_grid(nx, ny, of.how.scaling);
                     const Problem problem = plate::problem(of.material, corner);
                     const Cloud<2> cloud(plate::grid(nx, ny));
                     programs::Cost cost;

@@ -169,6 +169,7 @@ void plot(const Figure& figure, const report::Table& table) {
     const std::string& path = figure.path;
     if (path.empty()) return;
     const std::string beside = std::filesystem::absolute(path).string() + ".tmp." + std::to_string(getpid());
+    const report::Uninterrupted uninterrupted;
     const Temporary numbers(beside + ".csv"), drawing(beside + ".svg");
     report::write_whole(numbers.path, report::csv(table));
     std::string told = "table = " + quoted(numbers.path) + "; output = " + quoted(drawing.path);

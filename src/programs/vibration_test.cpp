@@ -3,6 +3,7 @@
 #include "asprone2010/limit_stencils.hpp"
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"
+#include "programs/room.hpp"
 
 namespace {
 
@@ -59,6 +60,11 @@ int main(int argc, char** argv) {
             throw particles::InvalidInput(
                 "--plot draws one spectrum for each formulation; take one number of particles and one "
                 "perturbation");
+        for (const long N :
+             lowest > 0 ? std::vector<long>{} : options.particles)  // D² and the stiffness, both full
+            programs::check_room("the eigenvalues on " + std::to_string(N) + " particles",
+                                 2 * sizeof(double) * static_cast<double>(N) * static_cast<double>(N),
+                                 "take fewer particles");
         if (options.perturbations == std::vector<double>{0} && options.positions.size() == 0)
             options.figure.told["lattice"] = "yes";
         report::Table table;

@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "particles/errors.hpp"
 
@@ -23,24 +26,78 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
                                        std::strerror(errno));
 }
 
+/// The file that a path leads to, and whether one can take its place: a link keeps pointing where it points, and what is no
+/// regular file (a pipe, a device) cannot be replaced by one.
+struct Target {
+    std::string path;
+    bool exists, replaceable;
+};
+
+Target target_of(const std::string& path) {
+    std::error_code none;
+    const std::filesystem::file_status status = std::filesystem::status(path, none);
+    const bool exists = std::filesystem::exists(status);
+    return {exists ? std::filesystem::canonical(path, none).string() : path, exists,
+            !exists || std::filesystem::is_regular_file(status)};
+}
+
+constexpr std::size_t most_bytes = std::size_t(1) << 30U;  // of a text that is read: /dev/zero has no end
+constexpr std::array<int, 3> ending{SIGINT, SIGTERM, SIGHUP};
+volatile std::sig_atomic_t waiting = 0;  // a signal's handler can reach nothing else
+
+extern "C" void wait_for_the_end(int signal) {
+    waiting = signal;
+}
+
 bool put(std::FILE* file, const std::string& text) {
     return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
 }
 
 }  // namespace
 
+struct Uninterrupted::State {
+    std::array<struct sigaction, ending.size()> before;
+};
+
+Uninterrupted::Uninterrupted() : state_(std::make_unique<State>()) {
+    struct sigaction later {};
+    later.sa_handler = wait_for_the_end;
+    later.sa_flags = SA_RESTART;
+    for (std::size_t k = 0; k < ending.size(); ++k) {
+        sigaction(ending[k], nullptr, &state_->before[k]);
+        if (state_->before[k].sa_handler == SIG_DFL) sigaction(ending[k], &later, nullptr);
+    }
+}
+
+Uninterrupted::~Uninterrupted() {
+    for (std::size_t k = 0; k < ending.size(); ++k) sigaction(ending[k], &state_->before[k], nullptr);
+    // Within another such scope the signal goes on waiting, for that one's end.
+    if (waiting != 0) std::raise(std::exchange(waiting, 0));
+}
+
+void check_writable(const std::string& path) {
+    if (path.empty()) return;
+    const Target target = target_of(path);
+    errno = std::filesystem::is_directory(target.path) ? EISDIR : 0;
+    if (errno != 0 || (target.exists && access(target.path.c_str(), W_OK) != 0)) fail("write", path);
+    const auto folder = std::filesystem::absolute(target.path).parent_path();
+    if (target.replaceable && std::filesystem::exists(folder) && !std::filesystem::is_directory(folder)) {
+        errno = ENOTDIR;
+        fail("write", path);
+    }
+    if (target.replaceable && access(folder.c_str(), W_OK | X_OK) != 0) fail("write", path);
+}
+
 void write_whole(const std::string& path, const std::string& text) {
     if (path.empty()) {
         if (!put(stdout, text)) fail("write to", path);
         return;
     }
-    // A link keeps pointing where it points, and what is no regular file (a pipe, a device) cannot be replaced by one.
-    std::error_code none;
-    const std::filesystem::file_status status = std::filesystem::status(path, none);
-    const bool whole = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-    const std::string target =
-        std::filesystem::exists(status) ? std::filesystem::canonical(path, none).string() : path;
+    check_writable(path);
+    const auto [target, exists, whole] = target_of(path);
     const std::string temporary = whole ? target + ".tmp." + std::to_string(getpid()) : target;
+    std::optional<Uninterrupted> uninterrupted;
+    if (whole) uninterrupted.emplace();
     File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
     if (!file) fail("write", path);
     const bool written = put(file.get(), text) && std::fclose(file.release()) == 0;
@@ -60,7 +117,8 @@ std::string read_whole(const std::string& path) {
     std::string text;
     std::array<char, 65536> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
-        text.append(buffer.data(), count);
+        if (text.append(buffer.data(), count).size() > most_bytes)
+            throw particles::FailedComputation("cannot read " + path + ": it holds more than a gigabyte");
     if (std::ferror(file.get()) != 0) fail("read", path);
     return text;
 }

@@ -142,7 +142,7 @@ TEST_CASE("positions: the programs refuse what does not go together, in one line
     }
     report::write_whole(file, "0\n1\n");
     check_refused("vibration_test --positions " + file, 2, "take at least 3");
-    check_refused("derivative_test --positions ''", 1, "cannot read");
+    check_refused("derivative_test --positions ''", 2, "--positions is empty");
 }
 
 TEST_CASE(

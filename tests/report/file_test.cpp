@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -74,4 +75,39 @@ TEST_CASE("file: a link is followed and stays a link; a device stays a device") 
     CHECK(read == "through");
     CHECK(std::filesystem::is_fifo(pipe));
     close(reader);
+}
+
+TEST_CASE("file: what could not be written in the end is known before") {
+    const Folder folder;
+    const std::string path = folder.path + "/file.csv";
+    CHECK_NOTHROW(report::check_writable(""));
+    CHECK_NOTHROW(report::check_writable(path));
+    CHECK_NOTHROW(report::check_writable("/dev/null"));
+    report::write_whole(path, "kept");
+    CHECK_NOTHROW(report::check_writable(path));
+    for (const std::string& bad : {folder.path, folder.path + "/none/file.csv", path + "/file.csv"})
+        CHECK_THROWS_WITH_AS(report::check_writable(bad), doctest::Contains("cannot write " + bad + ": "),
+                             particles::FailedComputation);
+    CHECK(report::read_whole(path) == "kept");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("file: a signal to end waits for the end of the scope, of the outer one where two are nested") {
+    const Folder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+        const report::Uninterrupted outer;
+        {
+            const report::Uninterrupted inner;
+            std::raise(SIGTERM);
+        }
+        report::write_whole(folder.path + "/file.csv", "still here");
+        // Here the signal arrives.
+    } else {
+        int status = 0;
+        waitpid(child, &status, 0);
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == SIGTERM);
+        CHECK(report::read_whole(folder.path + "/file.csv") == "still here");
+    }
 }

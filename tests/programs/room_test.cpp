@@ -1,0 +1,29 @@
+#include "programs/room.hpp"
+
+#include <sys/resource.h>
+
+#include "particles/errors.hpp"
+#include "tests/programs/run.hpp"
+
+using namespace programs;
+
+TEST_CASE("room: what fits is let pass, what does not is refused with both sizes and a remedy") {
+    CHECK(room() > 1e8);
+    CHECK_NOTHROW(check_room("3 particles", 1000, "take fewer"));
+    CHECK_THROWS_WITH_AS(check_room("many particles", 1e18, "take fewer"),
+                         doctest::Contains("many particles take at least 1e+09 GB of memory, there are "),
+                         particles::InvalidInput);
+    CHECK_THROWS_WITH_AS(check_room("many particles", 1e18, "take fewer"), doctest::Contains("; take fewer"),
+                         particles::InvalidInput);
+    CHECK_THROWS_WITH_AS(
+        check_room_of_entries("3 particles", 3e9, 1, "take fewer"),
+        "3 particles make a matrix of 3e+09 entries, which holds at most 2147483647; take fewer",
+        particles::InvalidInput);
+}
+
+TEST_CASE("room: a limit of the shell counts") {
+    const auto limited =
+        run("{ ulimit -v 600000; derivative_test --smoothing 40 --particles 300000 --threads 1; }");
+    CHECK(limited.code == 2);
+    CHECK(limited.errors.find("there are 0.614 GB; take fewer particles") != std::string::npos);
+}
