@@ -131,6 +131,7 @@ bench: ## measure speed against the machine's limits and against NumPy, into dat
 	    cp $(BUILD)/bench/$$part.csv data/benchmarks/$$part.csv
 	done
 	for figure in $(wildcard figures/benchmarks/*.gp); do LC_ALL=C.UTF-8 gnuplot -e "output = '$${figure%.gp}.svg'" $$figure; done
+	if [[ -n $$python ]]; then $$python tests/benchmarks/targets.py data/benchmarks README.md; fi
 
 figures: $(figures) ## draw the figures of the paper into figures/
 

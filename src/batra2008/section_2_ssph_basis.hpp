@@ -307,13 +307,13 @@ class Basis {
         Eigen::Array<Scalar, Eigen::Dynamic, n> all = D<Scalar, n>(H_, near_.W);
         for (Index I = 0; I < n; ++I) {
             for (Index J = 0; J < I; ++J) all.col(I) -= L(I, J) * all.col(J);
-            all.col(I) /= L(I, I);
+            all.col(I) *= 1 / L(I, I);
         }
         for (Index I = n - 1; I >= 0; --I) {
             for (Index J = I + 1; J < n; ++J) all.col(I) -= L(J, I) * all.col(J);
-            all.col(I) /= L(I, I);
+            all.col(I) *= 1 / L(I, I);
         }
-        for (Index I = 1; I < n; ++I) all.col(I) /= unit(I);
+        for (Index I = 1; I < n; ++I) all.col(I) *= 1 / unit(I);
         return all;
     }
 
