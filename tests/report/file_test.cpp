@@ -86,7 +86,7 @@ TEST_CASE("file: what could not be written in the end is known before") {
     report::write_whole(path, "kept");
     CHECK_NOTHROW(report::check_writable(path));
     for (const std::string& bad : {folder.path, folder.path + "/none/file.csv", path + "/file.csv"})
-        CHECK_THROWS_WITH_AS(report::check_writable(bad), doctest::Contains("cannot write " + bad + ": "),
+        CHECK_THROWS_WITH_AS(report::check_writable(bad), doctest::Contains(("cannot write " + bad + ": ").c_str()),
                              particles::FailedComputation);
     CHECK(report::read_whole(path) == "kept");
     CHECK(folder.entries() == 1);
