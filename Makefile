@@ -20,6 +20,7 @@ LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
+for_fuzz := clang libclang-rt-14-dev
 PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev libspectra-dev \
             libginac-dev libboost-dev libcli11-dev doctest-dev pkg-config
 for_bench := libbenchmark-dev python3-numpy python3-scipy
@@ -27,6 +28,7 @@ goals := $(filter-out setup,$(MAKECMDGOALS))
 PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(for_doc))
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
+PACKAGES += $(if $(filter fuzz,$(goals)),$(for_fuzz))
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
@@ -83,7 +85,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings bench figures check check-interrupts claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check check-interrupts fuzz claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -140,6 +142,23 @@ check: $(BUILD)/bin/check build ## run the tests
 
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
 	@bash tests/interrupts $(BUILD)
+
+SECONDS ?= 60
+readers := expression positions table
+fuzz: $(readers:%=$(BUILD)/fuzzing/%) ## feed random input to what reads expressions, positions and tables, SECONDS=60 each
+	@for reader in $(readers); do
+	    program=$(BUILD)/fuzzing/$$reader corpus=tests/fuzzing/corpus/$$reader
+	    mkdir -p $$program.found
+	    dictionary=
+	    if [[ -e $$corpus.dict ]]; then dictionary=-dict=$$corpus.dict; fi
+	    # Where CLN throws, it leaks a few bytes.
+	    if ! ASAN_OPTIONS=detect_leaks=0 $$program -max_total_time=$(SECONDS) -timeout=10 -max_len=1000 -print_final_stats=1 \
+	            -artifact_prefix=$$program- $$dictionary $$program.found $$corpus 2> $$program.log; then
+	        tail -n 30 $$program.log >&2
+	        exit 1
+	    fi
+	    echo "$$reader: $$(sed -n 's/^stat::number_of_executed_units: *//p' $$program.log) executions, nothing found"
+	done
 
 claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write the README's table
 	@$(bin)/walkthrough --write-readme
@@ -233,6 +252,18 @@ $(BUILD)/bin/bench: $(benchmarks) $(common) $(BUILD)/src/batra2008/section_4_exa
 	@mkdir -p $(@D)
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -lbenchmark -o $@.tmp.bin
+	mv $@.tmp.bin $@
+
+# What is fuzzed runs under the compiler's sanitizers. Clang finds quadmath.h behind its own headers.
+$(BUILD)/fuzzing/expression: src/programs/expression.cpp
+$(BUILD)/fuzzing/positions: src/programs/positions.cpp src/report/file.cpp
+$(BUILD)/fuzzing/table: src/report/table.cpp
+$(readers:%=$(BUILD)/fuzzing/%): $(BUILD)/fuzzing/%: tests/fuzzing/%.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	echo "compile $@"
+	gcc=$$(dirname "$$(g++ -print-libgcc-file-name)")
+	clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(CPPFLAGS) -idirafter "$$gcc/include" \
+	    $(filter %.cpp,$^) -L"$$gcc" -lginac -lcln -lquadmath -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
 $(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \

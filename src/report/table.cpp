@@ -19,7 +19,8 @@ constexpr const char* tolerance_mark = "tolerance of ";
 
 /// Digits beyond the tolerance say nothing; one more keeps rounding out of the comparison.
 int digits(const Tolerance& tolerance) {
-    return tolerance.relative > 0 ? 1 + static_cast<int>(std::ceil(-std::log10(tolerance.relative))) : 10;
+    if (!(tolerance.relative > 0)) return 10;
+    return static_cast<int>(std::clamp(1 + std::ceil(-std::log10(tolerance.relative)), 1.0, 17.0));
 }
 
 /// A word as CSV holds it: in quotes where it has a comma, a quote or a line break.
@@ -144,7 +145,10 @@ Table parsed_words(const std::string& csv) {
         const std::size_t start = std::string(tolerance_mark).size();
         const auto number = [&](std::size_t from, std::size_t to) {
             double value = 0;
-            std::from_chars(tolerance.data() + from, tolerance.data() + to, value);
+            const auto [end, error] =
+                std::from_chars(tolerance.data() + std::min(from, to), tolerance.data() + to, value);
+            if (error != std::errc() || end != tolerance.data() + to || !std::isfinite(value) || value < 0)
+                throw FailedComputation("'" + tolerance + "' is no tolerance");
             return value;
         };
         const std::size_t words = std::string(": relative ").size();
@@ -159,6 +163,11 @@ Table parsed(const std::string& csv) {
     for (std::vector<Cell>& row : table.rows)
         for (Cell& cell : row)
             if (const auto* word = std::get_if<std::string>(&cell)) cell = parsed_cell(*word);
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+        for (std::size_t k = 0; k < table.columns.size(); ++k)
+            if (const auto* real = std::get_if<double>(&table.rows[row][k]); real && !std::isfinite(*real))
+                throw FailedComputation("row " + std::to_string(row + 1) + ": " + table.columns[k].name +
+                                        " is not finite");
     return table;
 }
 

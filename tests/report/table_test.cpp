@@ -131,3 +131,16 @@ TEST_CASE("table: a tolerance does not let a zero pass for a number") {
     b.rows[0][2] = 0.5e-9;
     CHECK(differences(a, b).empty());
 }
+
+TEST_CASE("table: what is read is finite, as what is written, and so are its tolerances") {
+    CHECK_THROWS_WITH_AS(static_cast<void>(report::parsed("a\nnan\n")), "row 1: a is not finite",
+                         particles::FailedComputation);
+    CHECK_THROWS_WITH_AS(static_cast<void>(report::parsed("a,b\n1,2\n1,-inf\n")), "row 2: b is not finite",
+                         particles::FailedComputation);
+    for (const std::string relative : {"", "x", "nan", "inf", "-1", "1e999", "1 2"})
+        CHECK_THROWS_WITH_AS(static_cast<void>(report::parsed("# tolerance of a: relative " + relative +
+                                                              ", absolute 0\na\n1\n")),
+                             doctest::Contains("is no tolerance"), particles::FailedComputation);
+    CHECK_THROWS_AS(static_cast<void>(report::parsed("# tolerance of a: , absolute 1: relative 1\na\n1\n")),
+                    particles::FailedComputation);
+}

@@ -1,0 +1,24 @@
+#include "programs/positions.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "particles/errors.hpp"
+
+/// Any file holds positions that increase from 0 to 1, or is refused as invalid input.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const int file = memfd_create("positions", 0);
+    if (ftruncate(file, 0) != 0 || pwrite(file, data, size, 0) != static_cast<ssize_t>(size)) std::abort();
+    try {
+        const auto x = programs::read_positions("/proc/self/fd/" + std::to_string(file));
+        if (x.size() < 2 || x[0] != 0 || x[x.size() - 1] != 1) std::abort();
+        for (particles::Index j = 1; j < x.size(); ++j)
+            if (!(x[j] > x[j - 1])) std::abort();
+    } catch (const particles::InvalidInput&) {
+    }
+    return 0;
+}
