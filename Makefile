@@ -85,7 +85,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings bench figures check check-interrupts fuzz claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check check-interrupts check-environments fuzz claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -142,6 +142,9 @@ check: $(BUILD)/bin/check build ## run the tests
 
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
 	@bash tests/interrupts $(BUILD)
+
+check-environments: build ## try a decimal comma, a path with blanks, a tree that can only be read
+	@bash tests/environments $(BUILD)
 
 SECONDS ?= 60
 readers := expression positions table

@@ -37,5 +37,5 @@ TEST_CASE("constants: names and ratios that have no meaning are refused") {
     check_refused("constants --formulation sph", 2, "there is no formulation 'sph'");
     check_refused("constants --kernel sinc", 2, "there is no kernel 'sinc'");
     check_refused("constants --volumes half", 2, "there is no volume convention 'half'");
-    check_refused("constants --smoothing 0", 2, "must be positive");
+    check_refused("constants --smoothing 0", 2, "h/delta of 0 ");
 }

@@ -32,5 +32,5 @@ TEST_CASE("orders: the same bytes on any number of threads; a range that is none
     CHECK(run("orders --from 1.6 --to 1.6 --threads 1").output ==
           run("orders --from 1.6 --to 1.6 --threads 3").output);
     check_refused("orders --from 2 --to 1", 2, "is no range");
-    check_refused("orders --step 0", 2, "--step");
+    check_refused("orders --step 0", 2, "in steps of 0 is no range");
 }
