@@ -39,10 +39,13 @@ void add_limits() {
                 benchmark::ClobberMemory();
             };
         });
-        add({"limit", "exp", 4096, threads}, [] {
-            auto arrays = std::make_shared<Arrays>(4096);
+        add({"limit", "exp", 64 * block, threads}, [] {
+            auto arrays = std::make_shared<Arrays>(64 * block);
             return [arrays] {
-                arrays->a = arrays->b.exp();
+                auto& [a, b, c] = *arrays;
+                particles::for_each_index(64, [&](Eigen::Index k) {
+                    a.segment(k * block, block) = b.segment(k * block, block).exp();
+                });
                 benchmark::ClobberMemory();
             };
         });
