@@ -122,13 +122,17 @@ inline Pack exp(const Pack& a) {
 
 }  // namespace particles
 
+namespace std {
 template <>
-struct std::numeric_limits<particles::Pack> : std::numeric_limits<double> {};
+struct numeric_limits<particles::Pack> : numeric_limits<double> {};
+}  // namespace std
 
+namespace Eigen {
 template <>
-struct Eigen::NumTraits<particles::Pack> : Eigen::NumTraits<double> {
+struct NumTraits<particles::Pack> : NumTraits<double> {
     using Real = particles::Pack;
     using NonInteger = particles::Pack;
     using Nested = particles::Pack;
     using Literal = particles::Pack;
 };
+}  // namespace Eigen
