@@ -55,6 +55,17 @@ inline constexpr int terms = dim == 1   ? m + 1
                              : dim == 2 ? (m + 1) * (m + 2) / 2
                                         : (m + 1) * (m + 2) * (m + 3) / 6;
 
+/// A row for each particle of a support, a column for each monomial. The number of columns is no part of the type, nor are the sizes
+/// of the matrix of the fit: all dimensions and degrees then share their types, and compile in half of the time.
+template <class Scalar>
+using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// The matrix of the fit, and its right-hand sides; at most 20 monomials, those of degree 3 in space.
+template <class Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 20, 20>;
+template <class Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, 20, 1>;
+
 /// Exponents of a monomial, one for each coordinate.
 template <int dim>
 using Exponents = std::array<int, dim>;
@@ -156,8 +167,8 @@ double taylor(const std::function<double(const Exponents<dim>&)>& derivative, co
 ///     F^{(x)} = \left[f(\xi^{g(1)}),\ \ldots,\ f(\xi^{g(N)})\right]^T \tag{2.6} \f]
 /// \param s offsets, a row for each particle
 template <int dim, int m, class Scalar>
-Eigen::Array<Scalar, Eigen::Dynamic, terms<dim, m>> H(const Eigen::Array<Scalar, Eigen::Dynamic, dim>& s) {
-    Eigen::Array<Scalar, Eigen::Dynamic, terms<dim, m>> all(s.rows(), terms<dim, m>);
+Table<Scalar> H(const Eigen::Array<Scalar, Eigen::Dynamic, dim>& s) {
+    Table<Scalar> all(s.rows(), terms<dim, m>);
     all.col(0).setOnes();
     detail::unrolled<terms<dim, m> - 1>([&](auto before) {
         constexpr int k = before + 1, axis = detail::leading<dim, m>(k),
@@ -219,19 +230,18 @@ std::array<Eigen::Matrix<double, n, 1>, 2> both_sides(const Eigen::Array<double,
 
 /// The weighted monomials, transposed as H is. \defeq{B2.8}
 /// \f[ C\,Q = D\,F^{(x)}, \quad C = H\,W\,H^T, \quad D = H\,W \tag{2.8} \f]
-template <class Scalar, int n>
-Eigen::Array<Scalar, Eigen::Dynamic, n> D(const Eigen::Array<Scalar, Eigen::Dynamic, n>& H,
-                                          const Column<Scalar>& W) {
+template <class Scalar>
+Table<Scalar> D(const Table<Scalar>& H, const Column<Scalar>& W) {
     return H.colwise() * W;
 }
 
 /// The symmetric matrix of the fit: no derivative of the kernel enters. Only the lower half is computed. \defeq{B2.9}
 /// \f[ C = \left[W(g(1))\,P^T(g(1)),\ \ldots,\ W(g(N))\,P^T(g(N))\right]
 ///     \begin{bmatrix} P(g(1)) \\ \vdots \\ P(g(N)) \end{bmatrix} \tag{2.9} \f]
-template <class Scalar, int n>
-Eigen::Matrix<Scalar, n, n> C(const Eigen::Array<Scalar, Eigen::Dynamic, n>& D,
-                              const Eigen::Array<Scalar, Eigen::Dynamic, n>& H) {
-    Eigen::Matrix<Scalar, n, n> lower;
+template <class Scalar>
+Matrix<Scalar> C(const Table<Scalar>& D, const Table<Scalar>& H) {
+    const Index n = H.cols();
+    Matrix<Scalar> lower(n, n);
     for (Index I = 0; I < n; ++I)
         for (Index J = 0; J <= I; ++J) lower(I, J) = (D.col(J) * H.col(I)).sum();
     return lower.template selfadjointView<Eigen::Lower>();
@@ -272,7 +282,6 @@ template <int dim, int m, class Scalar = double>
 class Basis {
   public:
     static constexpr int n = terms<dim, m>;
-    using Vector = Eigen::Matrix<Scalar, n, 1>;
 
     /// \param near the particles in the kernel's support around the place
     /// \param h smoothing length [length]
@@ -282,7 +291,8 @@ class Basis {
         : near_(std::move(near)),
           h_(h),
           H_(H<dim, m, Scalar>(near_.s)),
-          C_(C<Scalar, n>(D<Scalar, n>(H_, near_.W), H_)),
+          D_(D<Scalar>(H_, near_.W)),
+          C_(C<Scalar>(D_, H_)),
           factors_(C_) {
         // A pivot that vanishes against its diagonal entry belongs to a monomial that the earlier ones give as well.
         const Scalar least =
@@ -297,14 +307,14 @@ class Basis {
     /// \f[ Q(x) = C^{-1} D\,F^{(x)} = K^{(x)} F^{(x)} \tag{2.11} \f]
     /// \param I entry of Q, counted from 0 \return weights [1/length to the order of the derivative]
     [[nodiscard]] Column<Scalar> K(Index I) const {
-        return near_.W * sum(factors_.solve(Vector::Unit(I)) / unit(I));
+        return near_.W * sum(factors_.solve(Vector<Scalar>::Unit(n, I)) / unit(I));
     }
 
     /// All rows of K at once, \eq{B2.11}: a column here for each entry of Q, by substitution with the triangular factors of C
     /// for all particles together.
-    [[nodiscard]] Eigen::Array<Scalar, Eigen::Dynamic, n> K() const {
+    [[nodiscard]] Table<Scalar> K() const {
         const auto& L = factors_.matrixLLT();
-        Eigen::Array<Scalar, Eigen::Dynamic, n> all = D<Scalar, n>(H_, near_.W);
+        Table<Scalar> all = D_;
         for (Index I = 0; I < n; ++I) {
             for (Index J = 0; J < I; ++J) all.col(I) -= L(I, J) * all.col(J);
             all.col(I) *= 1 / L(I, I);
@@ -323,29 +333,32 @@ class Basis {
     [[nodiscard]] Column<Scalar> differentiated(Index I, int axis) const {
         const Column<Scalar>& W = near_.W;
         const Column<Scalar> dW = 2 * near_.s.col(axis) * (W + near_.edge);
-        const Vector a = factors_.solve(Vector::Unit(I));
+        const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I));
         const Column<Scalar> p = sum(a), dp = sum(shifted(a, axis));
-        const Vector dC_a = shifted_back(H_.matrix().transpose().lazyProduct((W * p).matrix()), axis) +
-                            H_.matrix().transpose().lazyProduct((W * dp + dW * p).matrix());
-        const Vector da = -factors_.solve(dC_a);
+        const Vector<Scalar> dC_a =
+            shifted_back(H_.matrix().transpose().lazyProduct((W * p).matrix()), axis) +
+            H_.matrix().transpose().lazyProduct((W * dp + dW * p).matrix());
+        const Vector<Scalar> da = -factors_.solve(dC_a);
         return (dW * p + W * (dp + sum(da))) / (unit(I) * h_);
     }
 
     /// Condition number of C in the 2-norm.
     [[nodiscard]] Scalar condition() const {
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Scalar, n, n>> spectrum(C_, Eigen::EigenvaluesOnly);
+        const Eigen::SelfAdjointEigenSolver<Matrix<Scalar>> spectrum(C_, Eigen::EigenvaluesOnly);
         return spectrum.eigenvalues()[n - 1] / spectrum.eigenvalues()[0];
     }
 
     /// The matrix of the fit, \eq{B2.9}.
-    [[nodiscard]] const Eigen::Matrix<Scalar, n, n>& matrix() const { return C_; }
+    [[nodiscard]] const Matrix<Scalar>& matrix() const { return C_; }
 
   private:
     /// Below, half of the digits of a second derivative are lost.
     static constexpr double singular = 1e-10;
 
     /// \f$P\,a\f$ for each particle.
-    [[nodiscard]] auto sum(const Vector& a) const { return H_.matrix().lazyProduct(a).array().eval(); }
+    [[nodiscard]] auto sum(const Vector<Scalar>& a) const {
+        return H_.matrix().lazyProduct(a).array().eval();
+    }
     [[nodiscard]] Scalar unit(Index I) const {
         Scalar power(1);
         for (int k = 0; k < order<dim>(monomials<dim, m>()[static_cast<std::size_t>(I)]); ++k) power *= h_;
@@ -354,16 +367,16 @@ class Basis {
 
     /// H·shifted(a) is the derivative of H·a with respect to the place, in units of h: a monomial of the offset becomes minus
     /// its exponent times the lower monomial.
-    [[nodiscard]] static Vector shifted(const Vector& a, int axis) {
-        Vector b = Vector::Zero();
+    [[nodiscard]] static Vector<Scalar> shifted(const Vector<Scalar>& a, int axis) {
+        Vector<Scalar> b = Vector<Scalar>::Zero(n);
         for (int k = 1; k < n; ++k)
             if (const int lower = lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)];
                 lower >= 0)
                 b[lower] -= exponent(k, axis) * a[k];
         return b;
     }
-    [[nodiscard]] static Vector shifted_back(const Vector& v, int axis) {
-        Vector b = Vector::Zero();
+    [[nodiscard]] static Vector<Scalar> shifted_back(const Vector<Scalar>& v, int axis) {
+        Vector<Scalar> b = Vector<Scalar>::Zero(n);
         for (int k = 1; k < n; ++k)
             if (const int lower = lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)];
                 lower >= 0)
@@ -384,9 +397,9 @@ class Basis {
 
     Surroundings<dim, Scalar> near_;
     Scalar h_;
-    Eigen::Array<Scalar, Eigen::Dynamic, n> H_;
-    Eigen::Matrix<Scalar, n, n> C_;
-    Eigen::LLT<Eigen::Matrix<Scalar, n, n>> factors_;
+    Table<Scalar> H_, D_;
+    Matrix<Scalar> C_;
+    Eigen::LLT<Matrix<Scalar>> factors_;
 };
 
 /// The matrix that spreads the particles of a support among all M. \defeq{B2.12}

@@ -249,20 +249,20 @@ TEST_CASE("(2.8): C Q = D F for a polynomial of degree m, and D holds the weight
     const Sample<2, 3> near(14, 4);
     const auto Q_0 =
         Q<2, 3>([&](const Exponents<2>& a) { return f.derivative(support::powers(a), Point<2>::Zero()); });
-    const auto D_near = D<double, 10>(near.H, near.W);
+    const auto D_near = D<double>(near.H, near.W);
     Column<double> F(14);
     for (Index j = 0; j < 14; ++j) {
         F[j] = f(near.s.row(j).matrix().transpose());
         CHECK((D_near.row(j) == near.W[j] * near.H.row(j)).all());
     }
-    CHECK((C<double, 10>(D_near, near.H) * Q_0 - D_near.matrix().transpose() * F.matrix()).norm() < 1e-13);
+    CHECK((C<double>(D_near, near.H) * Q_0 - D_near.matrix().transpose() * F.matrix()).norm() < 1e-13);
 }
 
 TEST_CASE("(2.9): C is symmetric to the last bit, positive, and the sum of (2.5)") {
     for_some_dimensions_and_degrees([](auto dimension, auto degree) {
         constexpr int dim = dimension, m = degree, n = terms<dim, m>;
         const Sample<dim, m> near(3 * n, 5);
-        const auto C_near = C<double, n>(D<double, n>(near.H, near.W), near.H);
+        const auto C_near = C<double>(D<double>(near.H, near.W), near.H);
         CHECK(C_near == C_near.transpose());
         CHECK((C_near - summed<n>(near.H, near.W)).norm() < 1e-13 * C_near.norm());
         CHECK(Eigen::LLT<Eigen::MatrixXd>(C_near).info() == Eigen::Success);
@@ -285,7 +285,7 @@ TEST_CASE("(2.10): the determinant by Binet and Cauchy is that of C, in one dime
     const auto check = [](auto dimension, auto degree, Index count) {
         constexpr int dim = dimension, m = degree, n = terms<dim, m>;
         const Sample<dim, m> near(count, 6);
-        const double det_C = C<double, n>(D<double, n>(near.H, near.W), near.H).determinant();
+        const double det_C = C<double>(D<double>(near.H, near.W), near.H).determinant();
         CHECK(det_C > 0);
         CHECK(determinant<n>(near.H, near.W) == support::relative(det_C, 1e-10));
     };
