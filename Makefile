@@ -33,7 +33,7 @@ PACKAGES += $(if $(filter fuzz,$(goals)),$(for_fuzz))
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
 common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/asprone2010/formulations.cpp src/solvers/spectrum.cpp \
-            $(addprefix src/programs/,options.cpp room.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
+            $(addprefix src/programs/,command_line.cpp options.cpp room.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort))
 benchmarks := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/benchmarks/*.cpp))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)

@@ -344,7 +344,7 @@ class Basis {
 
     /// Condition number of C in the 2-norm.
     [[nodiscard]] Scalar condition() const {
-        const Eigen::SelfAdjointEigenSolver<Matrix<Scalar>> spectrum(C_, Eigen::EigenvaluesOnly);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixX<Scalar>> spectrum(C_, Eigen::EigenvaluesOnly);
         return spectrum.eigenvalues()[n - 1] / spectrum.eigenvalues()[0];
     }
 

@@ -272,13 +272,13 @@ report::Table measured() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Measures what the choices change that the print of a paper leaves open.", "choices");
-    app.footer("Example: choices --paper batra2008 --output /tmp/choices.csv");
+    programs::CommandLine app("Measures what the choices change that the print of a paper leaves open.",
+                              "choices", "Example: choices --paper batra2008 --output /tmp/choices.csv");
     std::string paper = "asprone2010", output;
     app.add_option("--paper", paper, "asprone2010 (default) or batra2008")
-        ->type_name("NAME")
-        ->check(CLI::IsMember({"asprone2010", "batra2008"}));
-    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+        .type_name("NAME")
+        .among({"asprone2010", "batra2008"});
+    app.add_output(output);
     return programs::run(app, argc, argv, 0, output, {}, [&] {
         return paper == "batra2008" ? of_batra2008::measured() : of_asprone2010::measured();
     });

@@ -3,11 +3,10 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 
-#include "programs/options.hpp"
+#include "programs/command_line.hpp"
 #include "programs/progress.hpp"
 #include "report/file.hpp"
 #include "report/papers.hpp"
@@ -104,21 +103,20 @@ std::string summary(const report::Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Decides every claim of a paper by its computation, under both conventions that the print leaves "
         "open. It runs in the top folder.",
-        "claims");
-    app.footer("Example: claims --paper asprone2010 --output /tmp/claims.csv");
+        "claims", "Example: claims --paper asprone2010 --output /tmp/claims.csv");
     std::string folder = "asprone2010", ledger = "paper/claims.csv", output;
     std::vector<std::string> decided;
-    app.add_option("--paper", folder, "whose claims (default asprone2010)")->type_name("PAPER");
+    app.add_option("--paper", folder, "whose claims (default asprone2010)").type_name("PAPER");
     app.add_option("--ledger", ledger, "CSV file with a row for each claim (default paper/claims.csv)")
-        ->type_name("FILE");
-    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+        .type_name("FILE");
+    app.add_output(output);
     app.add_option("--count", decided,
                    "CSV files of verdicts, data/PAPER/claims.csv: say how many there are of each kind, and "
                    "compute nothing")
-        ->type_name("FILE");
+        .type_name("FILE");
     return programs::run(app, argc, argv, [&] {
         for (const std::string& file : decided) {
             const std::string paper = std::filesystem::absolute(file).parent_path().filename().string();

@@ -78,28 +78,26 @@ std::vector<report::Cell> measured(const Place& of) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Leading errors C delta^p of D and D2 on particles at equal distances, from the formulations' "
         "stencils, at "
         "the end of the line and inside; beside them, what exp shows in quadruple precision.",
-        "constants");
-    app.footer("Example: constants --formulation second_order_fpm --kernel quintic_spline --smoothing 1,1.5");
+        "constants",
+        "Example: constants --formulation second_order_fpm --kernel quintic_spline --smoothing 1,1.5");
     std::vector<std::string> wanted{"all"}, kernels{"all"}, volumes{"equal"};
     std::vector<double> smoothings{1, 1.5, 2};
     std::string output;
     int threads = 0;
     const auto list = [&](const char* name, auto& values, const char* about, const char* type) {
-        app.add_option(name, values, about)->delimiter(',')->type_name(type);
+        app.add_option(name, values, about).separated_by_commas().type_name(type);
     };
     list("--formulation", wanted, "which formulations (default all)", "NAME[,NAME...]");
     list("--kernel", kernels, "which kernels (default all)", "NAME[,NAME...]");
     list("--smoothing", smoothings, "smoothing lengths over spacing, h/delta (default 1,1.5,2)",
          "RATIO[,...]");
     list("--volumes", volumes, "equal (default), partition", "NAME[,NAME...]");
-    app.add_option("--threads", threads, "how many threads (default: all)")
-        ->type_name("T")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+    app.add_threads(threads);
+    app.add_output(output);
 
     return programs::run(app, argc, argv, threads, output, {}, [&] {
         if (wanted == std::vector<std::string>{"all"}) {

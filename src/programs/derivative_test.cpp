@@ -21,10 +21,9 @@ derivative_test::Exact<Scalar> exact_function(const std::optional<std::string>& 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Section 5.1 of Asprone et al. (2010): errors of the first and second derivative of exp on [0, 1].",
-        "derivative_test");
-    app.footer(
+        "derivative_test",
         "Example: derivative_test --formulation second_order_fpm --particles 320,640,1280\n"
         "Another: derivative_test --function \"sin(5*x)+x^2\" --particles 37");
     programs::Options options;
@@ -36,7 +35,7 @@ int main(int argc, char** argv) {
     app.add_option(
            "--function", function,
            "the function B of x, smooth on [0, 1] (default exp(x)); of " + std::string(programs::vocabulary))
-        ->type_name("TEXT");
+        .type_name("TEXT");
 
     programs::add_precision(app, options);
 

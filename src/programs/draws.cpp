@@ -34,11 +34,10 @@ std::array<std::vector<double>, 3> sorted_errors(const std::string& name, Index 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "The distribution of the errors of DB, D2B and u for exp over many draws of perturbed particles: "
         "percentiles.",
-        "draws");
-    app.footer("Example: draws --formulation modified_fpm,second_order_fpm --particles 160 --seeds 1000");
+        "draws", "Example: draws --formulation modified_fpm,second_order_fpm --particles 160 --seeds 1000");
     std::vector<std::string> wanted{"all"};
     long N = 160;
     double perturbation = 0.25;
@@ -46,18 +45,16 @@ int main(int argc, char** argv) {
     int threads = 0;
     std::string output;
     app.add_option("--formulation", wanted, "which formulations (default all)")
-        ->delimiter(',')
-        ->type_name("NAME[,NAME...]");
-    app.add_option("--particles", N, "number of particles (default 160)")->type_name("N");
+        .separated_by_commas()
+        .type_name("NAME[,NAME...]");
+    app.add_option("--particles", N, "number of particles (default 160)").type_name("N");
     app.add_option("--perturb", perturbation, "amplitude of the perturbation in spacings (default 0.25)")
-        ->type_name("A");
+        .type_name("A");
     app.add_option("--seeds", seeds, "draws: seeds 1, 2, ... (default 1000)")
-        ->type_name("K")
-        ->check(CLI::Range(2UL, 1000000UL));
-    app.add_option("--threads", threads, "how many threads (default: all)")
-        ->type_name("T")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+        .type_name("K")
+        .within(2, 1000000);
+    app.add_threads(threads);
+    app.add_output(output);
 
     programs::Figure figure{"asprone2010/figure_draws.gp", "formulation", "percentile", "error_second"};
     programs::add_plot_option(app, figure);

@@ -63,47 +63,43 @@ void forget_peak() {
 
 }  // namespace
 
-void add_options(CLI::App& app, ExampleOptions& options, const std::string& places) {
-    app.option_defaults()->always_capture_default(false);
-    app.get_formatter()->column_width(34);
+void add_options(CommandLine& app, ExampleOptions& options, const std::string& places) {
+    app.column_width(34);
     app.add_option(
            "--method", options.methods,
            "which methods, separated by commas: all, or some of strong (collocation), weak1, weak2 (MLPG)")
-        ->delimiter(',')
-        ->type_name("NAME[,NAME...]");
+        .separated_by_commas()
+        .type_name("NAME[,NAME...]");
     app.add_option("--scaling", options.scaling,
                    "scaling factors rho of the SSPH basis' kernel (default " + options.scaling + ")")
-        ->type_name("LIST");
+        .type_name("LIST");
     app.add_option("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)")
-        ->type_name("LIST");
+        .type_name("LIST");
     app.add_option("--gauss", options.gauss,
                    "Gauss points n_G along a radius, and 4 n_G in angle, of the weak forms (default 10)")
-        ->type_name("LIST");
+        .type_name("LIST");
     app.add_option("--test-scaling", options.test_scaling, "scaling factors of the test function (default 1)")
-        ->type_name("LIST");
+        .type_name("LIST");
     app.add_option("--penalty", options.penalty, "penalty parameters, in units of the paper's (default 1)")
-        ->type_name("LIST");
-    app.add_option("--poisson", options.poisson, "Poisson's ratios (default 0.33)")->type_name("LIST");
+        .type_name("LIST");
+    app.add_option("--poisson", options.poisson, "Poisson's ratios (default 0.33)").type_name("LIST");
     app.add_option("--plane", options.plane, "plane stress or strain (default " + options.plane + ")")
-        ->type_name("NAME");
+        .type_name("NAME");
     app.add_option("--states", options.states,
                    "instead of errors, write displacements and stresses at places: particles, a grid such as "
                    "46x10, " +
                        places)
-        ->type_name("PLACES");
+        .type_name("PLACES");
     app.add_option("--points", options.points, "number of places on a line of --states (default 101)")
-        ->type_name("N")
-        ->check(CLI::Range(2L, 1000000L));
+        .type_name("N")
+        .within(2, 1000000);
     app.add_option("--field", options.field,
                    "write displacements and stresses at the particles too: .vtk for ParaView, else CSV")
-        ->type_name("FILE");
+        .type_name("FILE");
     app.add_flag("--seconds", options.seconds,
                  "add the seconds for assembly and solution, and the memory in MB");
-    app.add_option("--threads", options.threads, "how many threads (default: all)")
-        ->type_name("T")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--output", options.output, "CSV file to write (default: standard output)")
-        ->type_name("FILE");
+    app.add_threads(options.threads);
+    app.add_output(options.output);
 }
 
 std::vector<double> numbers(const std::string& option, const std::string& list) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "batra2008/section_4_example_problems.hpp"
+#include "programs/command_line.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 
@@ -24,7 +24,7 @@ struct ExampleOptions {
 };
 
 /// \param places what `--states` knows beside particles and a grid
-void add_options(CLI::App& app, ExampleOptions& options, const std::string& places);
+void add_options(CommandLine& app, ExampleOptions& options, const std::string& places);
 
 /// The numbers of a list such as 3,3.5,4 or 2:0.1:4. \param option what it belongs to
 /// \throws particles::InvalidInput showing the part that is no number and no range

@@ -107,12 +107,11 @@ void check_drawable(const programs::ExampleOptions& options, const std::vector<p
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Section 4.2 of Batra and Zhang (2008): a quarter of a plate with a hole under tension, by "
         "collocation (strong) and "
         "by two local weak forms (weak1, weak2).",
-        "hole");
-    app.footer(
+        "hole",
         "A LIST is numbers separated by commas, or a range from:step:to.\n"
         "Layouts: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays of R particles; or a "
         "file, a "
@@ -126,16 +125,16 @@ int main(int argc, char** argv) {
     std::string radii = "0.3";
     unsigned long draw = 1, draws = 1;
     app.add_option("--layout", layouts, "layouts of particles, separated by commas (default graded-188-11)")
-        ->delimiter(',')
-        ->type_name("NAME|FILE[,...]");
+        .separated_by_commas()
+        .type_name("NAME|FILE[,...]");
     app.add_option("--radius", radii, "radii of the hole in m, in a quarter of 3 m (default 0.3)")
-        ->type_name("LIST");
+        .type_name("LIST");
     app.add_option("--draw", draw, "first draw of a graded layout (default 1)")
-        ->type_name("S")
-        ->check(CLI::Range(1UL, 4000000000UL));
+        .type_name("S")
+        .within(1, 4000000000);
     app.add_option("--draws", draws, "how many draws: S, S+1, ... (default 1)")
-        ->type_name("K")
-        ->check(CLI::Range(1UL, 100000UL));
+        .type_name("K")
+        .within(1, 100000);
     programs::add_options(app, options, "or a line: x2-axis");
 
     programs::Figure figure{"batra2008/figure_17.gp", "method", "x2", "s11", false};

@@ -1,14 +1,11 @@
 #include "programs/options.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iostream>
-#include <new>
 
 #include "particles/errors.hpp"
 #include "particles/operators.hpp"
@@ -18,7 +15,6 @@
 #include "programs/room.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
-#include "solvers/blas_threads.hpp"
 
 namespace programs {
 
@@ -81,75 +77,71 @@ std::vector<long> four_a_doubling() {
     return N;
 }
 
-void add_options(CLI::App& app, Options& options, const std::vector<std::string>& extra) {
+void add_options(CommandLine& app, Options& options, const std::vector<std::string>& extra) {
     std::vector<std::string> kernels;
     particles::for_each_kernel([&](const auto& kernel) { kernels.push_back(particles::name(kernel)); });
 
-    app.option_defaults()->always_capture_default(false);
-    app.get_formatter()->column_width(34);
+    app.column_width(34);
     app.add_option(
            "--formulation", options.formulations,
            "which formulations, separated by commas: all, or some of " + joined(known_formulations(extra)))
-        ->delimiter(',')
-        ->type_name("NAME[,NAME...]");
-    auto* const counts =
+        .separated_by_commas()
+        .type_name("NAME[,NAME...]");
+    const auto counts =
         app.add_option("--particles", options.particles, "numbers of particles N, separated by commas")
-            ->delimiter(',')
-            ->type_name("N[,N...]");
-    auto* const positions =
+            .separated_by_commas()
+            .type_name("N[,N...]");
+    const auto positions =
         app.add_option("--positions", options.positions_file,
                        "instead of N particles, those of a file: one position on a line, or in a CSV's first "
                        "column, increasing from 0 to 1")
-            ->type_name("FILE")
-            ->excludes(counts);
+            .type_name("FILE")
+            .excludes(counts);
     app.add_option(
            "--volumes", options.volumes,
            "particle volumes: equal (the spacing for all; default) or partition (half of it at the ends)")
-        ->type_name("NAME");
+        .type_name("NAME");
     app.add_option("--kernel", options.kernel, "one of " + joined(kernels) + " (default gaussian)")
-        ->type_name("NAME");
+        .type_name("NAME");
     app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1)")
-        ->type_name("RATIO");
+        .type_name("RATIO");
     app.add_option("--smoothing-from", options.smoothing_from,
                    "which spacing delta is in h/delta: mean (default), largest, or local, which gives each "
                    "particle an h "
                    "of its own, from the farther one of its two neighbours")
-        ->type_name("NAME");
+        .type_name("NAME");
     app.add_option("--perturb", options.perturbations,
                    "amplitudes a, separated by commas: inner particles move by U(-1,1) a delta (default 0; "
                    "the paper: "
                    "0.25)")
-        ->delimiter(',')
-        ->type_name("A[,A...]")
-        ->excludes(positions);
+        .separated_by_commas()
+        .type_name("A[,A...]")
+        .excludes(positions);
     app.add_option("--seed", options.seed, "first seed of the perturbations (default 1)")
-        ->type_name("S")
-        ->excludes(positions)
-        ->check(CLI::Range(1UL, largest_seed));
+        .type_name("S")
+        .excludes(positions)
+        .within(1, largest_seed);
     app.add_option("--seeds", options.seeds, "how many seeds: S, S+1, ... (default 1)")
-        ->type_name("K")
-        ->excludes(positions)
-        ->check(CLI::Range(1UL, 1000000UL));
+        .type_name("K")
+        .excludes(positions)
+        .within(1, 1000000);
     app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
-    app.add_option("--threads", options.threads, "how many threads (default: all)")
-        ->type_name("T")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--output", options.output, "CSV file to write (default: standard output)")
-        ->type_name("FILE");
+    app.add_threads(options.threads);
+    app.add_output(options.output);
     add_plot_option(app, options.figure);
 }
 
-void add_plot_option(CLI::App& app, Figure& figure) {
+void add_plot_option(CommandLine& app, Figure& figure) {
     app.add_option("--plot", figure.path, "draw the figure of this table too (needs gnuplot)")
-        ->type_name("FILE.svg");
+        .type_name("FILE.svg");
 }
 
-void add_precision(CLI::App& app, Options& options) {
+void add_precision(CommandLine& app, Options& options) {
     app.add_option(
            "--precision", options.precision,
            "of the computation: double (default), long (about 19 digits) or quad (34 digits, some fifty "
            "times slower); positions of a file keep those of a double")
-        ->type_name("NAME");
+        .type_name("NAME");
 }
 
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
@@ -257,61 +249,7 @@ std::vector<std::string> described(const Options& options) {
     return comments;
 }
 
-namespace {
-
-constexpr const char* not_printed = "cannot write to the standard output";
-
-/// A message with what would break its line, or colour a terminal, shown as ?.
-std::string on_one_line(std::string text) {
-    for (char& letter : text)
-        if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
-    return text;
-}
-
-/// \throws InvalidInput for an option with an empty value: a shell's variable that was never set, most likely
-void check_given(const CLI::App& app) {
-    for (const CLI::Option* const option : app.get_options())
-        for (const std::string& value : option->results())
-            if (value.empty())
-                throw InvalidInput(option->get_name() + " is empty; give it a value or leave it out");
-}
-
-/// \throws FailedComputation where what was printed did not arrive
-void check_printed() {
-    if (!std::cout.flush()) throw particles::FailedComputation(not_printed);
-}
-
-}  // namespace
-
-int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
-    const std::string program = app.get_name();
-    const auto refused = [&](int code, const std::string& why) {
-        std::cerr << program << ": " << on_one_line(why) << "\n";
-        return code;
-    };
-    try {
-        app.parse(argc, argv);
-        check_given(app);
-        gsl_set_error_handler_off();
-        solvers::use_one_blas_thread();
-        const int code = body();
-        check_printed();
-        return code;
-    } catch (const CLI::Success& asked) {
-        app.exit(asked);
-        return std::cout.flush() ? 0 : refused(1, not_printed);
-    } catch (const CLI::ParseError& error) {
-        return refused(2, std::string(error.what()) + "; see " + program + " --help");
-    } catch (const InvalidInput& error) {
-        return refused(2, error.what());
-    } catch (const std::bad_alloc&) {
-        return refused(1, "there is not enough memory; take fewer particles or a smaller smoothing length");
-    } catch (const std::exception& error) {
-        return refused(1, error.what());
-    }
-}
-
-int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
+int run(CommandLine& app, int argc, char** argv, const int& threads, const std::string& output,
         const Figure& figure, const std::function<report::Table()>& compute) {
     return run(app, argc, argv, [&] {
         const bool drawn = !figure.path.empty();
@@ -326,7 +264,7 @@ int run(CLI::App& app, int argc, char** argv, const int& threads, const std::str
     });
 }
 
-int run(CLI::App& app, int argc, char** argv, Options& options,
+int run(CommandLine& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute) {
     return run(app, argc, argv, options.threads, options.output, options.figure, [&] {
         if (!options.figure.path.empty() && options.seeds > 1 && !options.median)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <functional>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "particles/quad.hpp"
+#include "programs/command_line.hpp"
 #include "programs/plot.hpp"
 #include "report/table.hpp"
 
@@ -40,10 +40,10 @@ std::vector<long> four_a_doubling();
 
 /// The options of a numerical test, added to its command line.
 /// \param extra formulation names that the program knows beside those of formulations.hpp
-void add_options(CLI::App& app, Options& options, const std::vector<std::string>& extra = {});
+void add_options(CommandLine& app, Options& options, const std::vector<std::string>& extra = {});
 
 /// The option --precision, for a program that computes in any.
-void add_precision(CLI::App& app, Options& options);
+void add_precision(CommandLine& app, Options& options);
 
 /// Calls `work(Scalar())` with the scalar of a precision: double, long (double) or quad. A zero has the type to compute with.
 /// \throws particles::InvalidInput for another name
@@ -91,7 +91,7 @@ void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);
 
 /// `--plot`, added to a command line.
-void add_plot_option(CLI::App& app, Figure& figure);
+void add_plot_option(CommandLine& app, Figure& figure);
 
 /// Comments of the table: the equations of the formulations, and of the options what is the same in all rows.
 std::vector<std::string> described(const Options& options);
@@ -101,19 +101,15 @@ std::vector<std::string> described(const Options& options);
 /// \param reach of the kernel, in spacings \param scalar bytes of a number
 void check_line(long N, double reach, std::size_t scalar = sizeof(double));
 
-/// The body of any main: options are read, then the work is done. A message stays on one line, whatever an option holds.
-/// \return what the work returns; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
-int run(CLI::App& app, int argc, char** argv, const std::function<int()>& body);
-
 /// The body of main for a table: options are read, the table is computed and written.
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
 /// \param threads how many, 0 for all \param output the file to write \param figure what to draw of the table besides; all are
 ///        read once the options are
-int run(CLI::App& app, int argc, char** argv, const int& threads, const std::string& output,
+int run(CommandLine& app, int argc, char** argv, const int& threads, const std::string& output,
         const Figure& figure, const std::function<report::Table()>& compute);
 
 /// The same for a numerical test, whose file of positions is read into its options first.
-int run(CLI::App& app, int argc, char** argv, Options& options,
+int run(CommandLine& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute);
 
 }  // namespace programs

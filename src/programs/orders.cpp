@@ -1,3 +1,4 @@
+#include <iostream>
 #include <optional>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
@@ -69,27 +70,24 @@ std::vector<report::Cell> orders(const Square& of, unsigned long seeds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Map of orders: the observed order of the errors of DB, D2B and u for exp, by formulation, kernel "
         "and h/delta, "
         "on equidistant and on perturbed particles.",
-        "orders");
-    app.footer("Example: orders --from 0.8 --to 2 --step 0.05 --output orders.csv");
+        "orders", "Example: orders --from 0.8 --to 2 --step 0.05 --output orders.csv");
     double from = 0.6, step = 0.2, to = 4;
     unsigned long seeds = 5;
     int threads = 0;
     std::string output;
-    app.add_option("--from", from, "least h/delta (default 0.6)")->type_name("RATIO");
-    app.add_option("--step", step, "its step (default 0.2)")->type_name("RATIO");
-    app.add_option("--to", to, "largest h/delta (default 4)")->type_name("RATIO");
+    app.add_option("--from", from, "least h/delta (default 0.6)").type_name("RATIO");
+    app.add_option("--step", step, "its step (default 0.2)").type_name("RATIO");
+    app.add_option("--to", to, "largest h/delta (default 4)").type_name("RATIO");
     app.add_option("--seeds", seeds,
                    "draws of the perturbation, of whose errors medians are taken (default 5)")
-        ->type_name("K")
-        ->check(CLI::Range(1UL, 100000UL));
-    app.add_option("--threads", threads, "how many threads (default: all)")
-        ->type_name("T")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+        .type_name("K")
+        .within(1, 100000);
+    app.add_threads(threads);
+    app.add_output(output);
 
     programs::Figure figure{"asprone2010/figure_orders.gp", "formulation", "smoothing", "order_second",
                             false};

@@ -96,12 +96,11 @@ std::vector<Point<2>> places(const std::string& where, long points, const Cloud<
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Section 4.1 of Batra and Zhang (2008): a plate under shear by collocation (strong) and by two local "
         "weak forms "
         "(weak1, weak2).",
-        "plate");
-    app.footer(
+        "plate",
         "A LIST is numbers separated by commas, or a range from:step:to.\n"
         "Corners: 1 north-east, 2 south-east, 3 south-west, 4 north-west; conditions u1, u2, s11, s22, s12.\n"
         "Example: plate --method strong,weak1 --particles 16x4,31x7 --scaling 3:0.5:4");
@@ -112,19 +111,19 @@ int main(int argc, char** argv) {
     std::vector<std::string> grids{"16x4"};
     std::array<std::string, 4> corners{"s11,s22", "s11,s22", "u1,u2", "u1,u2"};
     app.add_option("--particles", grids, "grids of particles, separated by commas (default 16x4)")
-        ->delimiter(',')
-        ->type_name("NXxNY[,...]");
+        .separated_by_commas()
+        .type_name("NXxNY[,...]");
     programs::add_options(app, options, "or a line: bottom, top");
     for (std::size_t k = 0; k < 4; ++k)
         app.add_option("--corner-" + std::to_string(k + 1), corners[k],
                        "what collocation imposes at corner " + std::to_string(k + 1) + " (default " +
                            corners[k] + ")" +
                            (k == 0 || k == 2 ? "; all: each pair that the paper compares" : ""))
-            ->type_name("A,B");
+            .type_name("A,B");
 
     programs::Figure figure;
     programs::add_plot_option(app, figure);
-    app.callback([&] {
+    app.after_reading([&] {
         const bool scaled = options.scaling.find_first_of(",:") != std::string::npos;
         figure = figure_of(figure.path, scaled);
     });

@@ -1,5 +1,7 @@
 #include <unistd.h>
 
+#include <iostream>
+
 #include "asprone2010/limit_stencils.hpp"
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "particles/parallel.hpp"
@@ -63,29 +65,26 @@ std::vector<Index> numbers(Index most) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "The floor of each precision: measured errors of D2B for exp, beside the truncation and the "
         "round-off that the "
         "stencil at the end predicts.",
-        "roundoff");
-    app.footer("Example: roundoff --formulation second_order_fpm --most 1000000 --most-quad 100000");
+        "roundoff", "Example: roundoff --formulation second_order_fpm --most 1000000 --most-quad 100000");
     std::vector<std::string> wanted{"modified_fpm", "second_order_fpm"};
     long most = 1000000, most_quad = 10000;
     int threads = 0;
     std::string output;
     app.add_option("--formulation", wanted, "of order 1 or 2 (default modified_fpm,second_order_fpm)")
-        ->delimiter(',')
-        ->type_name("NAME[,NAME...]");
+        .separated_by_commas()
+        .type_name("NAME[,NAME...]");
     app.add_option("--most", most, "particles at most in double and long precision (default 1000000)")
-        ->type_name("N")
-        ->check(CLI::Range(10L, 10000000L));
+        .type_name("N")
+        .within(10, 10000000);
     app.add_option("--most-quad", most_quad, "particles at most in quad precision (default 10000)")
-        ->type_name("N")
-        ->check(CLI::Range(10L, 10000000L));
-    app.add_option("--threads", threads, "how many threads (default: all)")
-        ->type_name("T")
-        ->check(CLI::Range(1, 1024));
-    app.add_option("--output", output, "CSV file to write (default: standard output)")->type_name("FILE");
+        .type_name("N")
+        .within(10, 10000000);
+    app.add_threads(threads);
+    app.add_output(output);
 
     programs::Figure figure{"asprone2010/figure_precision.gp", "formulation", "particles", "error_second"};
     programs::add_plot_option(app, figure);

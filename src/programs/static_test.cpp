@@ -21,11 +21,10 @@ static_test::Exact<Scalar> exact_displacement(const std::optional<std::string>& 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Section 5.2 of Asprone et al. (2010): displacement error of an elastic rod, -u'' = exp, u(0) = "
         "u'(1) = 0.",
-        "static_test");
-    app.footer(
+        "static_test",
         "Example: static_test --formulation modified_fpm,second_order_fpm --particles 160,320,640\n"
         "Another: static_test --displacement \"x*exp(-x)+sin(3*x)\" --particles 53");
     programs::Options options;
@@ -36,21 +35,21 @@ int main(int argc, char** argv) {
     std::string end;
     app.add_option("--end", end,
                    "formulation whose first derivative is imposed at x = 1 (default: each its own)")
-        ->type_name("NAME");
+        .type_name("NAME");
 
     std::optional<std::string> displacement;
     app.add_option("--displacement", displacement,
                    "the exact displacement u, smooth on [0, 1] (default -exp(x)+e*x+1), from which the load "
                    "and the end values follow; of " +
                        std::string(programs::vocabulary))
-        ->type_name("TEXT");
+        .type_name("TEXT");
 
     int corrections = static_test::most_corrections;
     app.add_option("--corrections", corrections,
                    "of the solution by the solution for its residual, at most so many (default " +
                        std::to_string(corrections) + ", fewer where they no longer help)")
-        ->type_name("K")
-        ->check(CLI::Range(0, static_test::most_corrections));
+        .type_name("K")
+        .within(0, static_test::most_corrections);
 
     programs::add_precision(app, options);
 

@@ -67,12 +67,11 @@ std::vector<std::string> terms(const limit_stencils::Stencil<double>& of, int de
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "One particle's weights for D and D2, in units of 1/delta and 1/delta^2, their moments, and the "
         "terms of "
         "Taylor's expansion that they get wrong.",
-        "stencil");
-    app.footer(
+        "stencil",
         "Example: stencil --formulation modified_fpm --particle 0\n"
         "Another: stencil --formulation second_order_fpm --particles 20 --particle 3 --perturb 0.25 --seed "
         "7");
@@ -80,7 +79,7 @@ int main(int argc, char** argv) {
     options.particles = {50};
     programs::add_options(app, options);
     long particle = 0;
-    app.add_option("--particle", particle, "which particle, from 0 (default 0)")->type_name("I");
+    app.add_option("--particle", particle, "which particle, from 0 (default 0)").type_name("I");
 
     return programs::run(app, argc, argv, options, [&] {
         if (!options.figure.path.empty())

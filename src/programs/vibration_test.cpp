@@ -32,11 +32,10 @@ std::vector<double> symbol_frequencies(const programs::Options& options, const p
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Section 5.3 of Asprone et al. (2010): natural frequencies of an elastic rod that is fixed at both "
         "ends.",
-        "vibration_test");
-    app.footer(
+        "vibration_test",
         "Example: vibration_test --formulation second_order_fpm,fem_lumped --particles 50\n"
         "Another: vibration_test --formulation second_order_fpm --particles 1000000 --lowest 10\n"
         "A third: vibration_test --particles 50 --perturb 0.2 --smoothing-from largest");
@@ -49,8 +48,8 @@ int main(int argc, char** argv) {
     app.add_option(
            "--lowest", lowest,
            "only so many of the lowest modes, with their residuals: for long lines (default: all modes)")
-        ->type_name("K")
-        ->check(CLI::Range(1, 100));
+        .type_name("K")
+        .within(1, 100);
 
     return programs::run(app, argc, argv, options, [&] {
         using vibration_test::Mass;

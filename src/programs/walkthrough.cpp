@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -6,7 +5,7 @@
 #include <regex>
 
 #include "particles/errors.hpp"
-#include "programs/options.hpp"
+#include "programs/command_line.hpp"
 #include "report/file.hpp"
 #include "report/papers.hpp"
 #include "report/table.hpp"
@@ -319,17 +318,16 @@ std::string with_part(const std::string& text, const std::string& part) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app(
+    programs::CommandLine app(
         "Writes the generated pages of the walkthrough and the README's table, and checks that every "
         "equation has code and "
         "test. It runs in the top folder.",
-        "walkthrough");
-    app.footer("Example: walkthrough --pages build/doc/pages");
+        "walkthrough", "Example: walkthrough --pages build/doc/pages");
     std::string pages, readme_file = "README.md";
     bool write_readme = false, check_readme = false;
-    app.add_option("--pages", pages, "folder to write the pages into")->type_name("FOLDER");
+    app.add_option("--pages", pages, "folder to write the pages into").type_name("FOLDER");
     app.add_option("--readme", readme_file, "the README to write or check (default README.md)")
-        ->type_name("FILE");
+        .type_name("FILE");
     app.add_flag("--write-readme", write_readme, "write the table of README.md anew");
     app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
     return programs::run(app, argc, argv, [&] {

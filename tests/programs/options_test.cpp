@@ -128,7 +128,7 @@ TEST_CASE("options: --help shows every option and an example that runs") {
 TEST_CASE(
     "options: a program computes with one BLAS thread, so that its bytes do not depend on their number") {
     openblas_set_num_threads(2);
-    CLI::App app("", "test");
+    CommandLine app("", "test");
     const Folder folder;
     Options options;
     options.output = folder.path + "/table.csv";
