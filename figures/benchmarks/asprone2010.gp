@@ -15,8 +15,8 @@ set lmargin at screen 0.08; set rmargin at screen 0.48
 set bmargin at screen 0.57; set tmargin at screen 0.95
 set title "assembly of D and D², one thread"
 set ylabel "ns per particle"
-set yrange [15:6000]
-set key at graph 0.98,0.99 right top Left reverse samplen 3 spacing 1 font ",11" maxrows 6
+set yrange [15:100000]
+set key at graph 0.98,0.99 right top Left reverse samplen 3 spacing 1 font ",11"
 plot for [name in "original chen_beraun rkpm_second_order modified_fpm second_order_fpm"] table \
          using (row("assembly", name, 1)):"nanoseconds" with linespoints linestyle style(name) title title(name), \
      table using (row("assembly", "NumPy modified_fpm", 1)):"nanoseconds" with linespoints @numpy title "modified FPM in NumPy", \

@@ -20,7 +20,7 @@ set key at graph 0.98,0.99 right top Left reverse samplen 3 spacing 1 font ",12"
 plot table using (row("basis", "m = 2", 1)):(column("nanoseconds") / 1000) with linespoints linestyle method_style("strong") title "SSPH basis", \
      table using (row("basis", "NumPy m = 2", 1)):(column("nanoseconds") / 1000) with linespoints @numpy title "in NumPy", \
      table using (row("search", "cells", 1)):(column("nanoseconds") / 1000) with linespoints linestyle method_style("weak1") title "search of neighbours", \
-     table using (row("search", "SciPy cKDTree", 1)):(column("nanoseconds") / 1000) with lines @numpy title "by SciPy's tree"
+     table using (row("search", "SciPy cKDTree", 1)):(column("nanoseconds") / 1000) with linespoints @numpy title "by SciPy's tree"
 
 set lmargin at screen 0.58; set rmargin at screen 0.98
 set title "plate, two threads"

@@ -102,24 +102,26 @@ inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
     const Index inner = D2.rows() - 2;
     const Operator<double> K = D2.block(1, 1, inner, inner);
     const solvers::BandedFactors<double> factors(K);
-    const auto corrected = [&](const Column<double>& x) {
-        Column<double> y = Column<double>::Zero(inner + 2), left = x;
-        for (int k = 0; k < 3; ++k) {
-            y.segment(1, inner) += factors.solve(left);
-            left = x - particles::apply(D2, y).segment(1, inner);
-        }
+    factors.require_regular();
+    const auto inverse = [&](const Column<double>& x, const Column<double>& nearly) {
+        if ((x == 0).all()) return x;
+        Column<double> y = Column<double>::Zero(inner + 2);
+        y.segment(1, inner) = nearly;
+        for (int k = 0; k < 2; ++k)
+            y.segment(1, inner) += factors.solve(x - particles::apply(D2, y).segment(1, inner));
         return Column<double>(y.segment(1, inner));
     };
-    const Eigen::MatrixXcd shapes = solvers::eigenvectors_nearest_zero(factors, inner, count);
-    std::vector<Mode> modes;
-    for (const auto& vector : shapes.colwise()) {
-        Eigen::VectorXcd x = vector.normalized(), inverse_x(inner);
-        inverse_x.real() = corrected(x.real().array()).matrix();
-        inverse_x.imag() =
-            x.imag().isZero(0) ? Eigen::VectorXd::Zero(inner) : corrected(x.imag().array()).matrix().eval();
+    const auto [thetas, shapes] = solvers::largest_of_inverse(factors, inner, count);
+    std::vector<Mode> modes(static_cast<std::size_t>(count));
+    particles::for_each_index(count, [&, &values = thetas, &vectors = shapes](Index k) {
+        const Eigen::VectorXcd x = vectors.col(k).normalized(), nearly = values[k] * x;
+        Eigen::VectorXcd inverse_x(inner);
+        inverse_x.real() = inverse(x.real(), nearly.real()).matrix();
+        inverse_x.imag() = inverse(x.imag(), nearly.imag()).matrix();
         const std::complex<double> theta = x.dot(inverse_x);
-        modes.push_back({std::sqrt(-1.0 / theta), (inverse_x - theta * x).norm() / std::abs(theta)});
-    }
+        modes[static_cast<std::size_t>(k)] = {std::sqrt(-1.0 / theta),
+                                              (inverse_x - theta * x).norm() / std::abs(theta)};
+    });
     std::sort(modes.begin(), modes.end(),
               [](const Mode& a, const Mode& b) { return a.frequency.real() < b.frequency.real(); });
     return modes;

@@ -77,6 +77,9 @@ class BandedFactors {
         return factors_.solve((b * scale_).matrix().eval()).array();
     }
 
+    /// Nothing here: a matrix is refused for a pivot that vanishes.
+    void require_regular() const {}
+
   private:
     Eigen::Array<Scalar, Eigen::Dynamic, 1> scale_;
     Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::NaturalOrdering<int>> factors_;
@@ -88,7 +91,7 @@ class BandedFactors<double> {
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
     /// \param A square, N × N; its bandwidths are found from its entries
-    /// \throws particles::FailedComputation where A is singular to working precision, saying how nearly, or an entry is not finite
+    /// \throws particles::FailedComputation where a pivot vanishes or an entry is not finite
     explicit BandedFactors(const Matrix& A)
         : N_(static_cast<lapack_int>(A.rows())), scale_(detail::row_scales(A)), pivots_(N_) {
         for (lapack_int i = 0; i < N_; ++i) {
@@ -114,16 +117,18 @@ class BandedFactors<double> {
         });
         const lapack_int zero_pivot = LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, N_, N_, below_, above_,
                                                           band_.data(), height(), pivots_.data());
-        reciprocal_condition_ = zero_pivot == 0 ? 1 / (norm_of_block.maxCoeff() * norm_of_inverse()) : 0;
-        if (!(reciprocal_condition_ > std::numeric_limits<double>::epsilon()))
-            throw particles::FailedComputation("the linear system of " + std::to_string(N_) +
-                                               " unknowns is singular (reciprocal condition " +
-                                               particles::shown(reciprocal_condition_, 2) +
-                                               "); take another formulation or other particles");
+        norm_ = norm_of_block.maxCoeff();
+        if (zero_pivot != 0) refuse(0);
     }
 
-    /// Estimate of 1/(‖A‖ ‖A⁻¹‖) in the 1-norm, the rows of A scaled.
-    [[nodiscard]] double reciprocal_condition() const { return reciprocal_condition_; }
+    /// Estimate of 1/(‖A‖ ‖A⁻¹‖) in the 1-norm, the rows of A scaled. It takes five solutions.
+    [[nodiscard]] double reciprocal_condition() const { return 1 / (norm_ * norm_of_inverse()); }
+
+    /// \throws particles::FailedComputation where A is singular to working precision, saying how nearly
+    void require_regular() const {
+        const double reciprocal = reciprocal_condition();
+        if (!(reciprocal > std::numeric_limits<double>::epsilon())) refuse(reciprocal);
+    }
 
     [[nodiscard]] Eigen::ArrayXd solve(const Eigen::ArrayXd& b) const {
         detail::require_finite(b);
@@ -133,6 +138,12 @@ class BandedFactors<double> {
     }
 
   private:
+    [[noreturn]] void refuse(double reciprocal_condition) const {
+        throw particles::FailedComputation(
+            "the linear system of " + std::to_string(N_) + " unknowns is singular (reciprocal condition " +
+            particles::shown(reciprocal_condition, 2) + "); take another formulation or other particles");
+    }
+
     [[nodiscard]] lapack_int height() const { return static_cast<lapack_int>(band_.rows()); }
 
     void substitute(char transposed, Eigen::ArrayXd& x) const {
@@ -157,7 +168,7 @@ class BandedFactors<double> {
     Eigen::ArrayXd scale_;
     Eigen::MatrixXd band_;
     Eigen::ArrayXi pivots_;
-    double reciprocal_condition_ = 0;
+    double norm_ = 0;
 };
 
 /// Solves A x = b for a matrix whose entries lie near the diagonal.
@@ -170,7 +181,9 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> solve_banded(const Eigen::SparseMatrix<S
 }
 inline Eigen::ArrayXd solve_banded(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                                    const Eigen::ArrayXd& b) {
-    return BandedFactors<double>(A).solve(b);
+    const BandedFactors<double> factors(A);
+    factors.require_regular();
+    return factors.solve(b);
 }
 
 }  // namespace solvers

@@ -27,17 +27,16 @@ struct Inverse {
 
 }  // namespace
 
-Eigen::MatrixXcd eigenvectors_nearest_zero(const BandedFactors<double>& factors, Eigen::Index N,
-                                           Eigen::Index count) {
+Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count) {
     Inverse inverse{factors, N};
     Spectra::GenEigsSolver<Inverse> solver(inverse, count, std::min(N, 2 * count + 2));
     solver.init();
-    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12);
+    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10);
     if (solver.info() != Spectra::CompInfo::Successful)
         throw particles::FailedComputation("the lowest " + std::to_string(count) +
                                            " eigenvalues of a matrix of " + std::to_string(N) +
                                            " rows were not found");
-    return solver.eigenvectors();
+    return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 }  // namespace solvers

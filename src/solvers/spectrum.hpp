@@ -44,11 +44,16 @@ inline std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::Matri
     return all;
 }
 
-/// Eigenvectors, a column each, of the eigenvalues of K that are nearest to zero: Arnoldi's method with implicit restarts (Spectra)
-/// on K⁻¹.
+/// Eigenvalues, and a column for each eigenvector.
+struct Eigenpairs {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd vectors;
+};
+
+/// The largest eigenvalues of K⁻¹, those of K that are nearest to zero, with their eigenvectors: Arnoldi's method with implicit
+/// restarts (Spectra).
 /// \param factors of K \param N rows of K \param count at most N − 2
 /// \throws particles::FailedComputation where the iteration does not converge
-Eigen::MatrixXcd eigenvectors_nearest_zero(const BandedFactors<double>& factors, Eigen::Index N,
-                                           Eigen::Index count);
+Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count);
 
 }  // namespace solvers
