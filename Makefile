@@ -1,6 +1,6 @@
 # Targets that answer `make help` carry their line of help behind two hashes.
 # Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE; for install PREFIX and DESTDIR; for bench
-# MOST_1D and MOST_2D, the most particles; SANITIZE=address,undefined or SANITIZE=thread.
+# MOST_1D and MOST_2D, the most particles.
 SHELL := /bin/bash
 .ONESHELL:
 .SHELLFLAGS := -eu -o pipefail -c
@@ -13,30 +13,14 @@ BUILD ?= build
 CXX ?= g++
 # No contraction and no -march: data keep their bytes from one build to the next.
 OPTIMISE ?= -O2 -ffp-contract=off
-comma := ,
-ifdef SANITIZE
-# What OpenMP's threads wait for is known to the sanitizer with LLVM's runtime only.
-CXX := $(if $(filter thread,$(SANITIZE)),clang++,$(CXX))
-OPTIMISE := -O1 -g -ffp-contract=off -fno-omit-frame-pointer -Wno-maybe-uninitialized -fsanitize=$(SANITIZE) -fno-sanitize-recover=all
-override BUILD := $(BUILD)/sanitize-$(subst $(comma),-,$(SANITIZE))
-endif
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
-# Clang finds quadmath.h behind its own headers.
-ifneq (,$(findstring clang,$(CXX)))
-gcc := $(shell dirname "$$(g++ -print-libgcc-file-name)")
-CPPFLAGS += -idirafter $(gcc)/include
-CXXFLAGS := $(filter-out -Wno-maybe-uninitialized,$(CXXFLAGS)) -L$(gcc)
-endif
 LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
 
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
 for_fuzz := clang libclang-rt-14-dev
-for_clang := clang libomp-dev libclang-rt-14-dev
-for_lint := clang-tidy cppcheck
-for_coverage := gcovr
 PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev libspectra-dev \
             libginac-dev libboost-dev libcli11-dev doctest-dev pkg-config
 for_bench := libbenchmark-dev python3-numpy python3-scipy
@@ -45,10 +29,6 @@ PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(fo
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
 PACKAGES += $(if $(filter fuzz,$(goals)),$(for_fuzz))
-PACKAGES += $(if $(findstring clang,$(CXX)),$(for_clang))
-PACKAGES += $(if $(filter lint,$(goals)),$(for_lint))
-PACKAGES += $(if $(filter coverage,$(goals)),$(for_coverage))
-PACKAGES += $(if $(filter fresh,$(goals)),debootstrap)
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
@@ -105,7 +85,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings bench figures check check-interrupts check-environments fresh fuzz lint coverage claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check check-interrupts check-environments fuzz claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -165,31 +145,6 @@ check-interrupts: build ## interrupt programs, data and figures in a copy of the
 
 check-environments: build ## try a decimal comma, a path with blanks, a tree that can only be read
 	@bash tests/environments $(BUILD)
-
-fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
-	@bash tests/fresh
-
-# Every header is compiled alone; what else there is to read goes to clang-tidy and cppcheck.
-all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
-all_sources := $(shell find src tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort)
-lint: $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy) ## compile every header alone, then clang-tidy and cppcheck
-	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt --error-exitcode=1 \
-	    --quiet -j $(shell nproc) -Isrc -I. src tests/solvers tests/particles tests/report tests/programs
-	echo "$(words $(all_headers)) headers compile alone; clang-tidy and cppcheck are content with $(words $(all_sources)) files"
-$(BUILD)/lint/%.alone: % $(BUILD)/flags
-	@mkdir -p $(@D)
-	echo '#include "$*"' | $(CXX) $(CXXFLAGS) $(CPPFLAGS) -fsyntax-only -x c++ -MMD -MP -MF $@.d -MT $@ -
-	touch $@
-$(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers)
-	@mkdir -p $(@D)
-	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) 2> $@.log || { cat $@.log >&2; exit 1; }
-	touch $@
-
-coverage: ## run the tests on counting code; fail where a line of a section file is not reached
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage OPTIMISE="-O1 -g -ffp-contract=off -fno-inline -Wno-maybe-uninitialized --coverage -fprofile-update=atomic" check
-	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/' --merge-mode-functions=separate --exclude-throw-branches \
-	    --html-details $(BUILD)/coverage/index.html --print-summary > $(BUILD)/coverage/summary.txt
-	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/.*/section_' --filter 'src/.*/limit_stencils' --merge-mode-functions=separate --fail-under-line 100
 
 SECONDS ?= 60
 readers := expression positions table
