@@ -41,8 +41,7 @@ class Draw {
     [[nodiscard]] Choice one_of(std::initializer_list<Choice> choices) {
         return choices.begin()[random_() % choices.size()];
     }
-    /// An odd number up to 255 times a power of two from 1/64 to 64: few digits, so that products with what is on_lattice()
-    /// are exact.
+    /// A factor from 1e-4 to 127 with few digits: what is on_lattice(), times it, is exact.
     [[nodiscard]] double factor() {
         const auto odd = static_cast<double>(2 * (random_() % 128) + 1);
         return std::ldexp(odd, static_cast<int>(between(Eigen::Index{-13}, Eigen::Index{-1})));

@@ -21,6 +21,7 @@ struct Case {
     Volumes volumes;
     Kernel kernel;
     Column<double> h;  // one, or one for each particle
+    double factor;     // to stretch it by
 
     [[nodiscard]] std::string description() const {
         const auto N = static_cast<double>(x.size() - 1);
@@ -34,9 +35,14 @@ struct Case {
     [[nodiscard]] Line<double> line() const { return particles::line_at<double>(x, volumes); }
     [[nodiscard]] Smoothing<double> smoothing() const { return {kernel, h}; }
 
-    [[nodiscard]] Case mirrored() const { return {(1 - x).reverse(), volumes, kernel, h.reverse()}; }
-    [[nodiscard]] Case moved(double by) const { return {x + by, volumes, kernel, h}; }
-    [[nodiscard]] Case stretched(double a) const { return {x * a, volumes, kernel, h * a}; }
+    [[nodiscard]] Case mirrored() const { return with((1 - x).reverse(), h.reverse()); }
+    [[nodiscard]] Case moved(double by) const { return with(x + by, h); }
+    [[nodiscard]] Case stretched(double a) const { return with(x * a, h * a); }
+
+  private:
+    [[nodiscard]] Case with(const Column<double>& x_of, const Column<double>& h_of) const {
+        return {x_of, volumes, kernel, h_of, factor};
+    }
 };
 
 /// Equal distances, perturbed ones, or distances that differ up to fourfold.
@@ -81,6 +87,7 @@ Case drawn(std::uint64_t seed, Index fewest, Index most) {
     const double ratio = least_ratio(of.x, unit, of.kernel) * draw.between(1.05, 2.0);
     // Quarters, at equal distances, leave particles on the very edge of the support.
     of.h = unit * draw.one_of({ratio, std::ceil(4 * ratio) / 4});
+    of.factor = draw.factor();
     return of;
 }
 
@@ -303,7 +310,7 @@ TEST_CASE("properties: on mirrored particles D is reversed and changes its sign,
 
 TEST_CASE("properties: a line that is a times as long has D/a and D²/a²") {
     for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
-        const double a = Draw(static_cast<std::uint64_t>(of.x.size())).factor();
+        const double a = of.factor;
         CAPTURE(a);
         const Computed computed(of, formulation), stretched(of.stretched(a), formulation);
         CHECK(excess(computed.D - a * stretched.D, computed.D_error) <= 2);
