@@ -27,6 +27,28 @@ TEST_CASE("centred kernel: moments of the Gaussian on a half line and inside, in
     CHECK(near_end.moment(0, near_end.W) == support::relative((1 + std::erf(x / h)) / 2, 1e-14));
 }
 
+TEST_CASE("centred kernel: moments of the Gaussian between both ends are error functions and exponentials") {
+    for (const double h : {0.02, 0.1, 0.4})
+        for (const double x : {0.0, 0.013, 0.2, 0.5, 0.97}) {
+            CAPTURE(h);
+            CAPTURE(x);
+            const auto W_i = centred(Gaussian{}, x, h, {0, 1});
+            const double a = -x / h, b = (1 - x) / h;  // the ends, in units of h
+            const auto W = [](double s) { return std::exp(-s * s) / std::sqrt(std::numbers::pi); };
+            // By parts: the moment of order k from that of order k − 2.
+            const double W_0 = (std::erf(b) - std::erf(a)) / 2, W_1 = (W(a) - W(b)) / 2,
+                         W_2 = (W_0 + a * W(a) - b * W(b)) / 2, W_3 = W_1 + (a * a * W(a) - b * b * W(b)) / 2;
+            const double exact[] = {W_0, W_1, W_2, W_3};
+            const double of_DW[] = {W(b) - W(a), b * W(b) - a * W(a) - W_0,
+                                    b * b * W(b) - a * a * W(a) - 2 * W_1};
+            // Some 400 terms that sum to at most 1 in units of h.
+            for (int k = 0; k < 4; ++k)
+                CHECK(std::abs(W_i.moment(k, W_i.W) / std::pow(h, k) - exact[k]) < 1e-14);
+            for (int k = 0; k < 3; ++k)
+                CHECK(std::abs(W_i.moment(k, W_i.DW) / std::pow(h, k - 1) - of_DW[k]) < 1e-14);
+        }
+}
+
 TEST_CASE("centred kernel: the integral of the derivative is the difference of the ends, for every kernel") {
     for_each_kernel([](const Kernel& kernel) {
         CAPTURE(name(kernel));

@@ -5,7 +5,8 @@
 #include <Eigen/SparseLU>
 #include <random>
 
-#include "tests/relative.hpp"
+#include "asprone2010/section_5_2_static_test.hpp"
+#include "tests/support.hpp"
 
 namespace {
 
@@ -38,6 +39,35 @@ TEST_CASE("banded: agrees with Eigen's SparseLU, for unsymmetric bands and rows 
         CHECK((found - x.array()).abs().maxCoeff() < 1e-9);
         CHECK((found - lu.solve(b).array()).abs().maxCoeff() < 1e-9);
     }
+}
+
+TEST_CASE(
+    "banded: the static test's systems have the solutions of SparseLU, to what their condition leaves") {
+    using namespace asprone2010;
+    const Index N = 150;
+    for (const auto& formulation : formulations<double>())
+        for (const auto volumes : {particles::Volumes::equal, particles::Volumes::partition})
+            for (const unsigned long seed : {1UL, 2UL, 3UL}) {
+                CAPTURE(formulation.name);
+                CAPTURE(seed);
+                const auto [line, smoothing] =
+                    support::particles_of(N, {volumes, particles::Gaussian{}, 1.1, 0.25}, seed);
+                auto [D, D2] = formulation.operators(line, smoothing);
+                Matrix A = static_test::system(std::move(D2), D);
+                Column<double> f = static_test::right_hand_side(line, static_test::exponential_load());
+                const solvers::BandedFactors<double> factors(A);
+                const Column<double> u = factors.solve(f);
+                for (Index i = 0; i < N; ++i) {
+                    const double largest = Eigen::VectorXd(A.row(i)).cwiseAbs().maxCoeff();
+                    A.row(i) /= largest;
+                    f[i] /= largest;
+                }
+                const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu{Eigen::SparseMatrix<double>(A)};
+                const Column<double> expected = lu.solve(f.matrix()).array();
+                const double round_off = static_cast<double>(N) * std::numeric_limits<double>::epsilon() /
+                                         factors.reciprocal_condition();
+                CHECK((u - expected).abs().sum() < round_off * expected.abs().sum());
+            }
 }
 
 TEST_CASE("banded: the condition is estimated as LAPACK's dgbcon estimates it") {

@@ -1,0 +1,361 @@
+#include "tests/properties.hpp"
+
+#include <Eigen/LU>
+#include <vector>
+
+#include "asprone2010/section_5_2_static_test.hpp"
+
+using namespace asprone2010;
+using particles::Kernel;
+using particles::Operators;
+using particles::Smoothing;
+using particles::Spacing;
+using particles::Volumes;
+using support::Draw;
+
+namespace {
+
+/// A line of particles as it may come.
+struct Case {
+    Column<double> x;
+    Volumes volumes;
+    Kernel kernel;
+    Column<double> h;  // one, or one for each particle
+    double factor;     // to stretch it by
+
+    [[nodiscard]] std::string description() const {
+        const auto N = static_cast<double>(x.size() - 1);
+        return std::to_string(x.size()) + " particles, " + name(kernel) + ", volumes " + name(volumes) +
+               ", (N - 1) h from " + particles::shown(N * h.minCoeff()) + " to " +
+               particles::shown(N * h.maxCoeff());
+    }
+    [[nodiscard]] Operators<double> operators(const Formulation<double>& formulation) const {
+        return formulation.operators(line(), smoothing());
+    }
+    [[nodiscard]] Line<double> line() const { return particles::line_at<double>(x, volumes); }
+    [[nodiscard]] Smoothing<double> smoothing() const { return {kernel, h}; }
+
+    [[nodiscard]] Case mirrored() const { return with((1 - x).reverse(), h.reverse()); }
+    [[nodiscard]] Case moved(double by) const { return with(x + by, h); }
+    [[nodiscard]] Case stretched(double a) const { return with(x * a, h * a); }
+
+  private:
+    [[nodiscard]] Case with(const Column<double>& x_of, const Column<double>& h_of) const {
+        return {x_of, volumes, kernel, h_of, factor};
+    }
+};
+
+/// Equal distances, perturbed ones, or distances that differ up to fourfold.
+Column<double> drawn_positions(Draw& draw, Index N) {
+    enum Kind { equal, perturbed, random };
+    const Kind kind = draw.one_of({equal, perturbed, random});
+    const double amplitude = kind == perturbed ? draw.between(0.0, 0.45) : 0,
+                 longest = kind == random ? draw.between(1.0, 4.0) : 1;
+    Column<double> apart(N - 1), shift(N);
+    for (double& each : apart) each = draw.between(1.0, longest);
+    for (double& each : shift) each = draw.between(-amplitude, amplitude);
+    apart = support::on_lattice(apart / apart.sum());
+    shift = support::on_lattice(shift * apart.mean());
+    Column<double> x(N);
+    x[0] = 0;
+    for (Index j = 1; j < N; ++j) x[j] = x[j - 1] + apart[j - 1];
+    x.segment(1, N - 2) += shift.segment(1, N - 2);
+    return x;
+}
+
+/// The least h, in units of a spacing, with which every particle has four others within a reach that carries weight.
+double least_ratio(const Column<double>& x, const Column<double>& unit, const Kernel& kernel) {
+    const double reach = std::min(particles::support<double>(kernel), 3.0);
+    double least = 0;
+    for (Index i = 0; i < x.size(); ++i) {
+        Column<double> distance = (x - x[i]).abs();
+        std::nth_element(distance.begin(), distance.begin() + 4, distance.end());
+        least = std::max(least, distance[4] / (unit[unit.size() > 1 ? i : 0] * reach));
+    }
+    return least;
+}
+
+Case drawn(std::uint64_t seed, Index fewest, Index most) {
+    Draw draw(seed);
+    Case of;
+    of.x = drawn_positions(draw, draw.between(fewest, most));
+    of.volumes = draw.one_of({Volumes::equal, Volumes::partition});
+    of.kernel =
+        draw.one_of<Kernel>({particles::Gaussian{}, particles::CubicSpline{}, particles::QuinticSpline{},
+                             particles::WendlandC2{}, particles::WendlandC4{}});
+    const auto unit = of.line().spacing(draw.one_of({Spacing::mean, Spacing::largest, Spacing::local}));
+    const double ratio = least_ratio(of.x, unit, of.kernel) * draw.between(1.05, 2.0);
+    // Quarters, at equal distances, leave particles on the very edge of the support.
+    of.h = unit * draw.one_of({ratio, std::ceil(4 * ratio) / 4});
+    of.factor = draw.factor();
+    return of;
+}
+
+/// Calls `check(case, formulation)` for each formulation and what each seed draws.
+template <class Check>
+void for_each_case(Index fewest, Index most, const Check& check) {
+    const support::Threads one(1);
+    support::for_each_seed([&](std::uint64_t seed) {
+        const Case of = drawn(seed, fewest, most);
+        INFO(of.description());
+        for (const auto& formulation : formulations<double>()) {
+            CAPTURE(formulation.name);
+            check(of, formulation);
+        }
+    });
+}
+
+/// Polynomials of what degree a formulation differentiates exactly, on any particles, and whether its D² is D applied twice.
+struct Theory {
+    int first, second;
+    bool twice;
+};
+Theory theory_of(std::string_view formulation) {
+    if (formulation == "chen_beraun") return {1, 1, false};
+    if (formulation == "fpm") return {1, 1, true};
+    if (formulation == "modified_fpm") return {2, 2, false};
+    if (formulation == "second_order_fpm") return {2, 3, false};
+    return {0, 0, true};
+}
+
+/// A matrix without row i and column j.
+Eigen::MatrixXd minor_of(const Eigen::MatrixXd& A, Index i, Index j) {
+    return Eigen::MatrixXd::NullaryExpr(A.rows() - 1, A.cols() - 1, [&](Index k, Index l) {
+        return A(k < i ? k : k + 1, l < j ? l : l + 1);
+    });
+}
+
+/// The products of which a determinant consists, summed without their signs.
+double permanent(const Eigen::MatrixXd& A) {
+    if (A.rows() == 0) return 1;
+    double sum = 0;
+    for (Index j = 0; j < A.cols(); ++j) sum += std::abs(A(0, j)) * permanent(minor_of(A, 0, j));
+    return sum;
+}
+
+/// A kernel and its derivative at the particles of a neighbourhood, in size, and by how much they may err.
+struct Known {
+    Column<double> W, DW, W_error, DW_error;
+};
+
+/// What round-off may make of the weights of a neighbourhood, to first order: `unit` for sums of as many terms as there are
+/// neighbours, of kernel values that carry a few roundings, and what the local systems make of it.
+struct RoundOff {
+    Neighbourhood<double> near;
+    double unit = static_cast<double>(near.r.size() + 20) * std::numeric_limits<double>::epsilon();
+
+    /// Of an inverse, adjugate over determinant: the error of the matrix, and of each product of which either consists.
+    template <int n>
+    [[nodiscard]] Eigen::Matrix<double, n, n> of_inverse(const Eigen::Matrix<double, n, n>& A,
+                                                         const Eigen::Matrix<double, n, n>& A_error) const {
+        const double determinant = std::abs(A.determinant());
+        Eigen::Matrix<double, n, n> size;
+        for (Index i = 0; i < n; ++i)
+            for (Index j = 0; j < n; ++j) size(i, j) = permanent(minor_of(A, j, i)) / determinant;
+        return size * A_error * size + unit * (1 + permanent(A) / determinant) * size;
+    }
+
+    [[nodiscard]] Known kernel() const {
+        return {near.W, near.DW.abs(), unit * near.W, unit * near.DW.abs()};
+    }
+
+    /// The kernel times a polynomial with the exponents p.
+    template <int... p>
+    [[nodiscard]] Known corrected() const {
+        const auto& [r, W, DW, V] = near;
+        const Column<double> s = r.abs(), WV = W * V;
+        const auto M = rkpm::moment_matrix<double, p...>([&](int k) { return (r.pow(k) * WV).sum(); });
+        const auto M_size = rkpm::moment_matrix<double, p...>([&](int k) { return (s.pow(k) * WV).sum(); });
+        const auto inverse = of_inverse<sizeof...(p)>(M, unit * M_size);
+        Index k = 0;
+        Column<double> C = 0 * s, DC = 0 * s;
+        ((C += inverse(k, 0) * s.pow(p), DC += inverse(k, 0) * p * s.pow(std::max(p - 1, 0)), ++k), ...);
+        const auto K = rkpm::corrected<p...>(near);
+        return {K.W.abs(), K.DW.abs(), C * W, DC * W + C * DW.abs()};
+    }
+
+    /// Of the weights A⁻¹ (W, DW) ΔΩ, each row of them all together: of W and DW, of the sums in A, and of the inverse.
+    /// \param first, second what the columns of A are moments with
+    [[nodiscard]] Eigen::Vector2d of_system(const Eigen::Matrix2d& A, const Column<double>& first,
+                                            const Column<double>& second, const Known& of) const {
+        const Column<double> W_error = (of.W_error + unit * of.W) * near.V,
+                             DW_error = (of.DW_error + unit * of.DW) * near.V;
+        const Eigen::Matrix2d A_error{{(first * W_error).sum(), (second * W_error).sum()},
+                                      {(first * DW_error).sum(), (second * DW_error).sum()}};
+        const Eigen::Vector2d sums{(of.W * near.V).sum(), (of.DW * near.V).sum()};
+        return of_inverse<2>(A, A_error) * sums +
+               A.inverse().cwiseAbs() * Eigen::Vector2d(W_error.sum(), DW_error.sum());
+    }
+
+    /// Of a row's weights for D and, where the formulation solves for both, for D², in units of 1/h and 1/h².
+    [[nodiscard]] Eigen::Vector2d of_row(std::string_view formulation) const {
+        const auto& [r, W, DW, V] = near;
+        const Column<double> one = Column<double>::Ones(r.size()), s = r.abs(), half_square = s * s / 2;
+        if (formulation == "original") return {(kernel().DW_error * V).sum(), 0};
+        if (formulation == "rkpm_first_order") return {(corrected<0, 1>().DW_error * V).sum(), 0};
+        if (formulation == "rkpm_second_order") return {(corrected<0, 1, 2>().DW_error * V).sum(), 0};
+        if (formulation == "fpm") return {of_system(fpm::matrix(near), one, s, kernel())[1], 0};
+        if (formulation == "modified_fpm")
+            return of_system(modified_fpm::matrix(near), s, half_square, kernel());
+        if (formulation == "second_order_fpm")
+            return of_system(modified_fpm::matrix(second_order_fpm::corrected(near)), s, half_square,
+                             corrected<0, 1, 3>());
+        // Chen and Beraun divide by sums without cancellation; (20) is a difference.
+        const double D = (DW.abs() * V).sum() / (s * DW.abs() * V).sum();
+        return 3 * unit *
+               Eigen::Vector2d(D, ((W * V).sum() + 2 * (s * W * V).sum() * D) / (half_square * W * V).sum());
+    }
+};
+
+/// The operators of a case as full matrices, with a bound of the round-off of each row: of the sum of its weights' errors.
+struct Computed {
+    Computed(const Case& of, const Formulation<double>& formulation)
+        : Computed(of, formulation, of.operators(formulation)) {}
+
+    Eigen::MatrixXd D, D2;
+    Column<double> D_error, D2_error;
+
+  private:
+    Computed(const Case& of, const Formulation<double>& formulation, const Operators<double>& operators)
+        : D(operators.D), D2(operators.D2), D_error(of.x.size()), D2_error(of.x.size()) {
+        const auto line = of.line();
+        const auto smoothing = of.smoothing();
+        for (Index i = 0; i < of.x.size(); ++i) {
+            // Twice, since a particle's own weight is what the others sum to.
+            const RoundOff round_off{particles::neighbourhood(line, smoothing, i)};
+            const Eigen::Vector2d error = 2 * round_off.of_row(formulation.name);
+            D_error[i] = error[0] / smoothing.h(i);
+            D2_error[i] = error[1] / (smoothing.h(i) * smoothing.h(i));
+        }
+        // Of a product of two factors each contributes, and the sums of the product once more.
+        if (theory_of(formulation.name).twice)
+            D2_error = 3 * D_error.maxCoeff() * D.cwiseAbs().rowwise().sum().maxCoeff();
+    }
+};
+
+/// The largest sum of sizes in a row, over what it may be.
+double excess(const Eigen::MatrixXd& difference, const Column<double>& bound) {
+    return (difference.cwiseAbs().rowwise().sum().array() / bound).maxCoeff();
+}
+
+/// The largest error of Σ_j D_ij (x_j − x_i)^k, k ≥ 1, over what round-off may make of it.
+double excess_of_moment(const Eigen::MatrixXd& D, const Column<double>& bound, const Column<double>& x, int k,
+                        double exact) {
+    double largest = 0;
+    for (Index i = 0; i < x.size(); ++i) {
+        const Column<double> w = D.row(i), power = (x - x[i]).pow(k);
+        const double farthest = (w != 0).select(power.abs(), 0).maxCoeff();
+        largest = std::max(largest, std::abs((w * power).sum() - exact) / (bound[i] * farthest));
+    }
+    return largest;
+}
+
+bool same_bytes(const Operator<double>& a, const Operator<double>& b) {
+    return a.nonZeros() == b.nonZeros() &&
+           std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr()) &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr());
+}
+
+constexpr Index few = 6, many = 80;
+
+}  // namespace
+
+TEST_CASE(
+    "properties: what round-off may make of a row is little beside its weights, so that the tests below can "
+    "fail") {
+    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+        const Computed computed(of, formulation);
+        CHECK((computed.D_error / computed.D.cwiseAbs().rowwise().sum().array()).maxCoeff() < 1e-6);
+        CHECK((computed.D2_error / computed.D2.cwiseAbs().rowwise().sum().array()).maxCoeff() < 1e-6);
+    });
+}
+
+TEST_CASE("properties: polynomials up to a formulation's degree are differentiated exactly, to round-off") {
+    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+        const auto [first, second, twice] = theory_of(formulation.name);
+        const Computed computed(of, formulation);
+        for (int k = 1; k <= first; ++k)
+            CHECK(excess_of_moment(computed.D, computed.D_error, of.x, k, k == 1 ? 1 : 0) <= 2);
+        for (int k = 1; k <= second; ++k)
+            CHECK(excess_of_moment(computed.D2, computed.D2_error, of.x, k, k == 2 ? 2 : 0) <= 2);
+    });
+}
+
+TEST_CASE("properties: a row sums to zero to the last bit, and a constant has no derivatives") {
+    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+        const Column<double> constant = Column<double>::Constant(of.x.size(), 1e10);
+        const auto [D, D2] = of.operators(formulation);
+        for (const auto* each : {&D, &D2}) {
+            double largest = 0;
+            for (Index i = 0; i < each->rows(); ++i) {
+                double others = 0;
+                for (Operator<double>::InnerIterator entry(*each, i); entry; ++entry)
+                    if (entry.col() != i) others += entry.value();
+                largest = std::max(largest, std::abs(others + each->coeff(i, i)));
+            }
+            CHECK(largest == 0);
+            CHECK((particles::apply(*each, constant) == 0).all());
+        }
+    });
+}
+
+TEST_CASE("properties: on mirrored particles D is reversed and changes its sign, D² is reversed") {
+    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+        const Computed computed(of, formulation), mirrored(of.mirrored(), formulation);
+        CHECK(excess(computed.D + mirrored.D.reverse(), computed.D_error) <= 2);
+        CHECK(excess(computed.D2 - mirrored.D2.reverse(), computed.D2_error) <= 2);
+    });
+}
+
+TEST_CASE("properties: a line that is a times as long has D/a and D²/a²") {
+    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+        const double a = of.factor;
+        CAPTURE(a);
+        const Computed computed(of, formulation), stretched(of.stretched(a), formulation);
+        CHECK(excess(computed.D - a * stretched.D, computed.D_error) <= 2);
+        CHECK(excess(computed.D2 - a * a * stretched.D2, computed.D2_error) <= 2);
+    });
+}
+
+TEST_CASE("properties: a power of two times the length, and another place, change no bit of a weight") {
+    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+        const auto [D, D2] = of.operators(formulation);
+        for (const double a : {0x1p-40, 0.5, 0x1p20}) {
+            const auto stretched = of.stretched(a).operators(formulation);
+            CHECK(same_bytes(D, stretched.D * a));
+            CHECK(same_bytes(D2, stretched.D2 * (a * a)));
+        }
+        for (const double by : {-1.0, 0.375, 100.0}) {
+            const auto moved = of.moved(by).operators(formulation);
+            CHECK(same_bytes(D, moved.D));
+            CHECK(same_bytes(D2, moved.D2));
+        }
+    });
+}
+
+TEST_CASE("properties: operators and displacements have the same bytes on one, two and three threads") {
+    const auto exact = static_test::exponential_load();
+    const auto& second_order = formulation_named<double>("second_order_fpm");
+    const support::Threads one(1);
+    support::for_each_seed([&](std::uint64_t seed) {
+        const Case of = drawn(seed, 100, 600);
+        INFO(of.description());
+        const auto& formulation = formulations<double>()[seed % formulations<double>().size()];
+        CAPTURE(formulation.name);
+        const auto displacement = [&] {
+            return static_test::displacement<double>(second_order, second_order, {of.line(), of.smoothing()},
+                                                     exact, 2);
+        };
+        const auto alone = of.operators(formulation);
+        const Column<double> u = displacement();
+        for (const int several : {2, 3}) {
+            CAPTURE(several);
+            const support::Threads together_on(several);
+            const auto together = of.operators(formulation);
+            CHECK(same_bytes(alone.D, together.D));
+            CHECK(same_bytes(alone.D2, together.D2));
+            CHECK((displacement() == u).all());
+        }
+    });
+}

@@ -1,0 +1,225 @@
+#include "tests/properties.hpp"
+
+#include <map>
+
+#include "batra2008/section_3_1_collocation.hpp"
+#include "batra2008/section_4_example_problems.hpp"
+#include "solvers/spectrum.hpp"
+#include "tests/batra2008/bases.hpp"
+#include "tests/batra2008/elastic.hpp"
+
+using namespace batra2008;
+using support::Bases;
+using support::Draw;
+
+namespace {
+
+/// Particles around a place, as they may come.
+struct Case {
+    int dim, m;
+    Eigen::MatrixXd x;
+    Eigen::VectorXd place;
+    double rho, h;
+    double factor;  // to stretch it by
+
+    [[nodiscard]] Bases bases() const { return support::bases(m, x, rho, place, h); }
+
+    [[nodiscard]] Case mirrored(Index axis) const {
+        Case of = *this;
+        of.x.row(axis) = 1 - x.row(axis).array();
+        of.place[axis] = 1 - place[axis];
+        return of;
+    }
+    [[nodiscard]] Case stretched(double a) const { return {dim, m, x * a, place * a, rho, h * a, factor}; }
+};
+
+/// A grid in the unit cube whose particles are moved, seen from one of them or from any place.
+Case drawn(std::uint64_t seed) {
+    Draw draw(seed);
+    Case of;
+    of.dim = draw.one_of({1, 2, 3});
+    of.m = draw.one_of({1, 2, 3});
+    const Index across = draw.between(Index{of.m + 4}, Index{of.dim == 1 ? 40 : of.dim == 2 ? 12 : 8});
+    const double spacing = 1 / static_cast<double>(across - 1), amplitude = draw.between(0.0, 0.35);
+    const auto N = static_cast<Index>(std::lround(std::pow(static_cast<double>(across), of.dim)));
+    of.x.resize(of.dim, N);
+    for (Index j = 0; j < N; ++j)
+        for (Index axis = 0, rest = j; axis < of.dim; ++axis, rest /= across)
+            of.x(axis, j) =
+                spacing * (static_cast<double>(rest % across) + draw.between(-amplitude, amplitude));
+    of.x = support::on_lattice(of.x);
+    of.place = of.x.col(draw.between(Index{0}, N - 1));
+    if (draw.between(Index{0}, Index{1}) == 0)
+        for (double& coordinate : of.place) coordinate = draw.between(0.0, 1.0);
+    of.place = support::on_lattice(of.place);
+    of.h = spacing * draw.between(1.0, 1.5);
+    of.rho = draw.between(of.m + 1.5, of.m + 2.5) * spacing / of.h;
+    of.factor = draw.factor();
+    return of;
+}
+
+/// Calls `check(case, its bases)` for what each seed draws.
+template <class Check>
+void for_each_case(const Check& check) {
+    const support::Threads one(1);
+    support::for_each_seed([&](std::uint64_t seed) {
+        const Case of = drawn(seed);
+        CAPTURE(of.dim);
+        CAPTURE(of.m);
+        CAPTURE(of.x.cols());
+        CAPTURE(of.rho);
+        CAPTURE(of.h);
+        check(of, of.bases());
+    });
+}
+
+/// x^a. \param x a column for each particle
+Eigen::ArrayXd monomial(const Eigen::MatrixXd& x, const support::Powers& a) {
+    Eigen::ArrayXd product = Eigen::ArrayXd::Ones(x.cols());
+    for (Index axis = 0; axis < x.rows(); ++axis)
+        product *= x.row(axis).transpose().array().pow(a[static_cast<std::size_t>(axis)]);
+    return product;
+}
+
+int order(const support::Powers& a) {
+    return a[0] + a[1] + a[2];
+}
+
+/// By how much a weight of K may err, to first order: the sums in C are of as many terms as there are particles, the terms carry
+/// the roundings of a Gaussian that is lowered, and solutions of C K = D those of Cholesky's factors. These do not feel how large
+/// the monomials are: condition and inverse are those of C with its diagonal scaled to ones.
+/// \return a row for each particle, a column for each entry of Q
+Eigen::ArrayXXd round_off(const Case& of, const Bases& bases) {
+    const Eigen::MatrixXd s = (of.x(Eigen::all, bases.particle).colwise() - of.place) / of.h;
+    const Eigen::ArrayXd gaussian = (-s.colwise().squaredNorm().transpose().array()).exp();
+    const double edge = std::exp(-of.rho * of.rho);
+    const auto n = static_cast<Index>(bases.exponents.size());
+    Eigen::MatrixXd H(s.cols(), n);
+    for (Index I = 0; I < n; ++I) H.col(I) = monomial(s, bases.exponents[static_cast<std::size_t>(I)]);
+    const Eigen::MatrixXd C = H.transpose() * (gaussian - edge).matrix().asDiagonal() * H;
+    const Eigen::VectorXd unit = C.diagonal().cwiseSqrt().cwiseInverse();
+    const auto lambda = solvers::symmetric_eigenvalues(unit.asDiagonal() * C * unit.asDiagonal(),
+                                                       Eigen::MatrixXd::Identity(n, n));
+    const double terms = static_cast<double>(s.cols() + 10 * n) + 2 * of.rho * of.rho;
+    const double amplified =
+        std::numeric_limits<double>::epsilon() * terms * lambda.back() / (lambda[0] * lambda[0]);
+    const Eigen::ArrayXd of_particle =
+        amplified * (gaussian + edge) * (H * unit.asDiagonal()).rowwise().norm().array();
+    Eigen::ArrayXXd of_weight(s.cols(), n);
+    for (Index I = 0; I < n; ++I)
+        of_weight.col(I) =
+            of_particle * unit[I] * std::pow(of.h, -order(bases.exponents[static_cast<std::size_t>(I)]));
+    return of_weight;
+}
+
+/// K of another basis with its rows in the order of the particles of this one, which must be the same.
+Eigen::ArrayXXd in_order_of(const Bases& first, const Bases& other) {
+    REQUIRE(other.particle.size() == first.particle.size());
+    std::map<int, Index> row;
+    for (const int particle : other.particle) row.emplace(particle, static_cast<Index>(row.size()));
+    Eigen::ArrayXXd K(other.K.rows(), other.K.cols());
+    Index k = 0;
+    for (const int particle : first.particle) {
+        REQUIRE(row.count(particle) == 1);
+        K.row(k++) = other.K.row(row[particle]);
+    }
+    return K;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "properties: what round-off may make of a basis is little beside its weights, so that the tests below "
+    "can fail") {
+    for_each_case([](const Case& of, const Bases& bases) {
+        CHECK((round_off(of, bases).colwise().sum() / bases.K.abs().colwise().sum()).maxCoeff() < 1e-4);
+    });
+}
+
+TEST_CASE("properties: K gives a monomial's own entry of Q and no other; rows for derivatives sum to zero") {
+    for_each_case([](const Case& of, const Bases& bases) {
+        const Eigen::ArrayXXd error = round_off(of, bases);
+        const Eigen::MatrixXd offset = of.x(Eigen::all, bases.particle).colwise() - of.place;
+        double largest = 0;
+        for (std::size_t a = 0; a < bases.exponents.size(); ++a) {
+            const Eigen::ArrayXd power = monomial(offset, bases.exponents[a]);
+            for (Index I = 0; I < bases.K.cols(); ++I) {
+                const double left = (bases.K.col(I) * power).sum() - (I == static_cast<Index>(a) ? 1 : 0);
+                largest = std::max(largest, std::abs(left) / (error.col(I) * power.abs()).sum());
+            }
+        }
+        CHECK(largest <= 2);
+    });
+}
+
+TEST_CASE(
+    "properties: on mirrored particles K changes its sign with the derivatives that are odd in that "
+    "direction") {
+    for_each_case([](const Case& of, const Bases& bases) {
+        const Eigen::ArrayXXd error = round_off(of, bases);
+        for (Index axis = 0; axis < of.dim; ++axis) {
+            const Bases mirrored = of.mirrored(axis).bases();
+            Eigen::ArrayXXd K = in_order_of(bases, mirrored);
+            for (Index I = 0; I < K.cols(); ++I)
+                if (bases.exponents[static_cast<std::size_t>(I)][static_cast<std::size_t>(axis)] % 2 == 1)
+                    K.col(I) *= -1;
+            CHECK(((K - bases.K).abs() / error).maxCoeff() <= 2);
+        }
+    });
+}
+
+TEST_CASE(
+    "properties: a times the length divides K by a to the order of the derivative; a power of two changes no "
+    "bit") {
+    for_each_case([](const Case& of, const Bases& bases) {
+        const auto unstretched = [&](const Bases& stretched, double a) {
+            Eigen::ArrayXXd K = in_order_of(bases, stretched);
+            for (Index I = 0; I < K.cols(); ++I)
+                K.col(I) *= std::pow(a, order(bases.exponents[static_cast<std::size_t>(I)]));
+            return K;
+        };
+        const double a = of.factor;
+        CAPTURE(a);
+        CHECK(((unstretched(of.stretched(a).bases(), a) - bases.K).abs() / round_off(of, bases)).maxCoeff() <=
+              2);
+        for (const double two : {0x1p-30, 0.5, 0x1p20}) {
+            const Bases stretched = of.stretched(two).bases();
+            CHECK((unstretched(stretched, two) == bases.K).all());
+            CHECK((stretched.slopes * two == bases.slopes).all());
+        }
+    });
+}
+
+TEST_CASE(
+    "properties: a plate's system and its displacements have the same bytes on one, two and three threads") {
+    using namespace example_problems;
+    const Problem problem = plate::problem({plate::E, plate::nu});
+    const support::Threads one(1);
+    support::for_each_seed([&](std::uint64_t seed) {
+        Draw draw(seed);
+        const Index ny = draw.between(Index{4}, Index{6}), nx = 5 * (ny - 1) + 1;
+        const double amplitude = draw.between(0.0, 0.1);
+        Discretisation how;
+        how.method = draw.one_of({Method::strong, Method::weak1, Method::weak2});
+        how.scaling = draw.between(3.5, 4.0);
+        how.penalty = plate::penalty(problem.material);
+        how.gauss = 3;
+        CAPTURE(nx);
+        CAPTURE(amplitude);
+        CAPTURE(name(how.method));
+        CAPTURE(how.scaling);
+        const Cloud<2> cloud(support::moved_grid(nx, ny, amplitude, seed));
+        const System alone = system(problem, cloud, how);
+        const Eigen::VectorXd u = solved(alone);
+        for (const int several : {2, 3}) {
+            CAPTURE(several);
+            const support::Threads together_on(several);
+            const System together = system(problem, cloud, how);
+            REQUIRE(together.A.nonZeros() == alone.A.nonZeros());
+            CHECK(std::equal(alone.A.valuePtr(), alone.A.valuePtr() + alone.A.nonZeros(),
+                             together.A.valuePtr()));
+            CHECK(together.b == alone.b);
+            CHECK(solved(together) == u);
+        }
+    });
+}
