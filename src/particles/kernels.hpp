@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "particles/errors.hpp"
@@ -33,13 +35,19 @@ Scalar sign(const Scalar& s) {
     return chosen(s > 0, Scalar(1), chosen(s < 0, Scalar(-1), Scalar(0)));
 }
 
+/// A function, since a variable for all scalars would be initialised in no known order.
 template <class Scalar>
-const Scalar inverse_sqrt_pi = [] {
-    using std::atan, std::sqrt;
-    return Scalar(1 / sqrt(4 * atan(Scalar(1))));
-}();
-template <>
-inline const Pack inverse_sqrt_pi<Pack> = inverse_sqrt_pi<double>;
+Scalar inverse_sqrt_pi() {
+    if constexpr (std::is_floating_point_v<Scalar>)
+        return std::numbers::inv_sqrtpi_v<Scalar>;
+    else if constexpr (std::is_same_v<Scalar, Pack>)
+        return std::numbers::inv_sqrtpi;
+    else {
+        using std::atan, std::sqrt;
+        static const Scalar value = 1 / sqrt(4 * atan(Scalar(1)));
+        return value;
+    }
+}
 
 }  // namespace detail
 
@@ -56,7 +64,7 @@ struct Gaussian {
     template <class Scalar>
     static Scalar W(const Scalar& s) {
         using std::exp;
-        return exp(-s * s) * detail::inverse_sqrt_pi<Scalar>;
+        return exp(-s * s) * detail::inverse_sqrt_pi<Scalar>();
     }
     template <class Scalar>
     static Scalar DW(const Scalar& s) {
