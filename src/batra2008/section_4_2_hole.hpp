@@ -185,7 +185,7 @@ inline std::vector<Point<2>> random_places(const Shape& shape, Index count, unsi
 /// the places that are nearest to them, again and again (Lloyd). What results is a hexagonal pattern with faults; no
 /// curve of the second degree runs through a neighbourhood, so that C is well conditioned.
 /// \param draw seed of the places: another draw, another layout of the same kind
-/// 	hrows particles::InvalidInput where the boundary needs more particles than there are
+/// \throws particles::InvalidInput where the boundary needs more particles than there are
 inline Points<2> graded_layout(const Shape& shape, Index N, Index on_arc, unsigned long draw) {
     if (on_arc < 3) throw particles::InvalidInput("a graded layout needs at least 3 particles on the hole");
     std::vector<Point<2>> x = detail::boundary_layout(shape, on_arc);

@@ -67,9 +67,9 @@ class Cloud {
     /// The particle nearest to a place; of several the first.
     [[nodiscard]] int nearest(const Point<dim>& place) const {
         int closest = -1;
-        double least = 0;
-        for (double reach = cells_.side(); closest < 0; reach *= 2)
-            cells_.for_each_within(place, reach, [&](int j, double distance_squared) {
+        double least = 0, reach = cells_.side() / 2;
+        while (closest < 0)
+            cells_.for_each_within(place, reach *= 2, [&](int j, double distance_squared) {
                 if (closest >= 0 && (distance_squared > least || (distance_squared == least && j > closest)))
                     return;
                 closest = j;
@@ -93,9 +93,9 @@ class Cloud {
     }
 
     double nearest_neighbour(Index j, std::vector<int>& nearest) const {
-        double least = -1;
-        for (double reach = cells_.side(); least < 0; reach *= 2)
-            cells_.for_each_within(x_.col(j), reach, [&](int k, double distance_squared) {
+        double least = -1, reach = cells_.side() / 2;
+        while (least < 0)
+            cells_.for_each_within(x_.col(j), reach *= 2, [&](int k, double distance_squared) {
                 if (k == j || (least >= 0 && distance_squared >= least)) return;
                 least = distance_squared;
                 nearest[static_cast<std::size_t>(j)] = k;

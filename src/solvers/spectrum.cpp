@@ -5,6 +5,7 @@
 // Spectra frees inside of its own classes what g++ 12 then suspects of being used.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpragmas"
+#pragma GCC diagnostic ignored "-Wunknown-warning-option"
 #pragma GCC diagnostic ignored "-Wuse-after-free"
 #include <Spectra/GenEigsSolver.h>
 

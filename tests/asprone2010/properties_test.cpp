@@ -164,7 +164,8 @@ struct RoundOff {
     [[nodiscard]] Known corrected() const {
         const auto& [r, W, DW, V] = near;
         const Column<double> s = r.abs(), WV = W * V;
-        const auto M = rkpm::moment_matrix<double, p...>([&](int k) { return (r.pow(k) * WV).sum(); });
+        const auto M =
+            rkpm::moment_matrix<double, p...>([&, &r = r](int k) { return (r.pow(k) * WV).sum(); });
         const auto M_size = rkpm::moment_matrix<double, p...>([&](int k) { return (s.pow(k) * WV).sum(); });
         const auto inverse = of_inverse<sizeof...(p)>(M, unit * M_size);
         Index k = 0;

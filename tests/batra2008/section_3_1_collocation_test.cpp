@@ -128,7 +128,8 @@ TEST_CASE(
                                         {of_hole, hole::polar_layout({}, 21, 33)}};
     for (const auto& [problem, x] : examples)
         for (const double rho : {3.0, 4.0}) {
-            CAPTURE(x.cols());
+            const Index N = x.cols();
+            CAPTURE(N);
             CAPTURE(rho);
             System of = system<2>(problem, Cloud<2>(x), Kernel(rho), 0);
             solvers::scale_rows(of.A, of.b, of.nearest);

@@ -33,7 +33,8 @@ Found by_brute_force(const Points<dim>& x, const Point<dim>& place, double reach
 template <int dim>
 void check_every_kind() {
     for (const auto& [kind, x] : support::all_kinds<dim>(343)) {
-        CAPTURE(kind);
+        const auto& tried = kind;  // clang++ 14 captures no bindings
+        CAPTURE(tried);
         CAPTURE(dim);
         const Cells<dim> cells(x);
         support::Draws draw(3);

@@ -60,7 +60,7 @@ TEST_CASE("kernels: condition (3), derivable with continuous derivatives") {
 TEST_CASE("kernels: condition (4), nothing beyond the support") {
     for_each_kernel([](const Kernel& kernel) {
         CAPTURE(name(kernel));
-        const double edge = support<double>(kernel);
+        const double edge = particles::support<double>(kernel);
         const double negligible =
             std::holds_alternative<Gaussian>(kernel) ? 1.01 * std::numeric_limits<double>::epsilon() : 0;
         for (const double s : {edge, 1.001 * edge, 2 * edge, 100.0}) {
@@ -94,8 +94,8 @@ TEST_CASE("kernels: values known in closed form") {
 }
 
 TEST_CASE("kernels: the Gaussian's cut follows the scalar's precision") {
-    CHECK(support<double>(Gaussian{}) == support::relative(6.0037, 1e-4));
-    CHECK(support<long double>(Gaussian{}) > support<double>(Gaussian{}));
+    CHECK(particles::support<double>(Gaussian{}) == support::relative(6.0037, 1e-4));
+    CHECK(particles::support<long double>(Gaussian{}) > particles::support<double>(Gaussian{}));
     CHECK(static_cast<double>(Gaussian::W(1.0L)) == support::relative(Gaussian::W(1.0), 1e-15));
 }
 

@@ -44,10 +44,10 @@ TEST_CASE("neighbourhood: entries are the offsets, kernel, its derivative and vo
             for (Index k = 0; k < r.size(); ++k) {
                 const Index j = range.first + k;
                 const double s = (line.x()[j] - line.x()[i]) / h;
-                CHECK(std::abs(s) < support<double>(kernel));
+                CHECK(std::abs(s) < particles::support<double>(kernel));
                 CHECK(std::abs(r[k] - s) < 1e-14);
-                CHECK(W[k] == std::visit([&](const auto& w) { return w.W(r[k]); }, kernel));
-                CHECK(DW[k] == std::visit([&](const auto& w) { return w.DW(r[k]); }, kernel));
+                CHECK(W[k] == std::visit([at = r[k]](const auto& w) { return w.W(at); }, kernel));
+                CHECK(DW[k] == std::visit([at = r[k]](const auto& w) { return w.DW(at); }, kernel));
                 CHECK(V[k] == support::relative(line.V()[j] / h, 1e-15));
             }
         }

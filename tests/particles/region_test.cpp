@@ -172,7 +172,8 @@ TEST_CASE(
                                       {0.95, 1e-6},
                                       {1.1, 1e-9},
                                       {1.25, 1e-9}}) {
-        CAPTURE(away);
+        const double apart = away;  // clang++ 14 captures no bindings
+        CAPTURE(apart);
         const double exact = pi * reach * reach - lens(reach, b, away);
         for (const double angle : {0.0, 0.7, 2.0, -1.0})
             check_converges(region, away * detail::direction(angle), reach, exact, final);

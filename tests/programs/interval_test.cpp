@@ -50,7 +50,8 @@ TEST_CASE("interval: every value of a function lies within its bounds, where it 
     std::mt19937 random(1);
     std::uniform_real_distribution<double> place(-4, 4), part(0, 1);
     for (const auto& [name, bounds, value] : cases()) {
-        CAPTURE(name);
+        const std::string tried = name;  // clang++ 14 captures no bindings
+        CAPTURE(tried);
         int bounded = 0;
         for (int k = 0; k < 2000; ++k) {
             const double lower = place(random), width = std::pow(part(random), 4);
@@ -68,7 +69,8 @@ TEST_CASE("interval: every value of a function lies within its bounds, where it 
 
 TEST_CASE("interval: bounds shrink with the interval, so that bisection decides") {
     for (const auto& [name, bounds, value] : cases()) {
-        CAPTURE(name);
+        const std::string tried = name;  // clang++ 14 captures no bindings
+        CAPTURE(tried);
         const Bounds narrow = bounds({0.3, 0.3 + 1e-9});
         REQUIRE(narrow);
         CHECK(narrow->upper - narrow->lower < 1e-7);

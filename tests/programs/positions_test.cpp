@@ -70,7 +70,8 @@ TEST_CASE("positions: anything else is refused with its line and its value") {
         {"0\n\x7F\n1\n", "line 2: '?' is no position"},
     };
     for (const auto& [text, reason] : all) {
-        CAPTURE(text);
+        const std::string tried = text;  // clang++ 14 captures no bindings
+        CAPTURE(tried);
         CHECK_THROWS_WITH_AS(static_cast<void>(read(text)), doctest::Contains(reason),
                              particles::InvalidInput);
     }

@@ -35,10 +35,11 @@ inline Outcome run(const std::string& command) {
 /// A failure as users should see it: this exit code, one line on standard error that names the program, no output.
 inline void check_refused(const std::string& command, int code, const std::string& reason) {
     CAPTURE(command);
-    const auto [found, output, errors] = run(command);
+    const Outcome outcome = run(command);
+    const std::string& errors = outcome.errors;
     CAPTURE(errors);
-    CHECK(found == code);
-    CHECK(output.empty());
+    CHECK(outcome.code == code);
+    CHECK(outcome.output.empty());
     CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
     CHECK(errors.starts_with(command.substr(0, command.find(' ')) + ": "));
     CHECK(errors.find(reason) != std::string::npos);
