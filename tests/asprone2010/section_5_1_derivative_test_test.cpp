@@ -92,3 +92,14 @@ TEST_CASE(
     CHECK(errors("modified_fpm", 100).second_interior.value() < errors("modified_fpm", 100).second / 10);
     CHECK(errors("modified_fpm", 4, {Volumes::equal, particles::CubicSpline{}, 1.5, 0}).first > 0);
 }
+
+TEST_CASE("5.1: each error is that of its own derivative, everywhere and inside") {
+    const derivative_test::Exact<double> off_by_two_and_three{
+        [](double x) { return x * x; }, [](double x) { return 2 * x + 2; }, [](double) { return 2.0 + 3; }};
+    const auto of = derivative_test::errors(formulation_named<double>("second_order_fpm"), particles_of(50),
+                                            off_by_two_and_three);
+    CHECK(of.first == support::relative(2, 1e-10));
+    CHECK(of.first_interior.value() == support::relative(2, 1e-10));
+    CHECK(of.second == support::relative(3, 1e-10));
+    CHECK(of.second_interior.value() == support::relative(3, 1e-10));
+}

@@ -55,6 +55,17 @@ TEST_CASE(
     CHECK(f[29] == 8);
 }
 
+TEST_CASE("5.2: the residual is what the system leaves of the load, at the ends too") {
+    const auto [line, smoothing] = particles_of(30, {Volumes::equal, Gaussian{}, 1, 0.25});
+    const auto operators = formulation_named<double>("second_order_fpm").operators(line, smoothing);
+    auto D2 = operators.D2;
+    const auto A = static_test::system(std::move(D2), operators.D);
+    const Column<double> f = line.x().cos(), u = 3 + line.x().sin();
+    const Column<double> left = static_test::residual(A, f, u);
+    CHECK(left[0] == 1 - 3.0);
+    CHECK((left - (f - (A * u.matrix()).array())).abs().maxCoeff() < 1e-10);
+}
+
 TEST_CASE("5.2: corrections restore in double precision what the condition of long lines takes") {
     const auto& formulation = formulation_named<double>("second_order_fpm");
     const auto exact = static_test::exponential_load<double>();
