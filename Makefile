@@ -1,6 +1,6 @@
 # Targets that answer `make help` carry their line of help behind two hashes.
 # Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE; for install PREFIX and DESTDIR; for bench
-# MOST_1D and MOST_2D, the most particles.
+# MOST_1D and MOST_2D, the most particles; SANITIZE=address,undefined or SANITIZE=thread.
 SHELL := /bin/bash
 .ONESHELL:
 .SHELLFLAGS := -eu -o pipefail -c
@@ -13,14 +13,34 @@ BUILD ?= build
 CXX ?= g++
 # No contraction and no -march: data keep their bytes from one build to the next.
 OPTIMISE ?= -O2 -ffp-contract=off
+comma := ,
+ifdef SANITIZE
+# What OpenMP's threads wait for is known to the sanitizer with LLVM's runtime only.
+CXX := $(if $(filter thread,$(SANITIZE)),clang++,$(CXX))
+OPTIMISE := -O1 -g -ffp-contract=off -fno-omit-frame-pointer -Wno-maybe-uninitialized -fsanitize=$(SANITIZE) -fno-sanitize-recover=all
+override BUILD := $(BUILD)/sanitize-$(subst $(comma),-,$(SANITIZE))
+export LSAN_OPTIONS := suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0
+export TSAN_OPTIONS := ignore_noninstrumented_modules=1
+endif
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
+# Clang finds quadmath.h behind its own headers, and counts more to -Wconversion.
+gcc = $(shell dirname "$$(g++ -print-libgcc-file-name)")
+for_clang_only = -idirafter $(gcc)/include -Wno-sign-conversion
+ifneq (,$(findstring clang,$(CXX)))
+CPPFLAGS += $(for_clang_only)
+CXXFLAGS := $(filter-out -Wno-maybe-uninitialized,$(CXXFLAGS))
+LDLIBS += -L$(gcc)
+endif
 
 # A browser is much to install for a figure: beside another target, setup installs what that target needs; alone, everything.
 for_doc := doxygen libjs-mathjax
 for_check_doc := chromium
 for_fuzz := clang libclang-rt-14-dev
+for_clang := clang libomp-dev
+for_lint := clang-tidy cppcheck
+for_coverage := gcovr
 PACKAGES := g++ make gnuplot-nox libeigen3-dev libgsl-dev liblapacke-dev libopenblas-dev libsuitesparse-dev libspectra-dev \
             libginac-dev libboost-dev libcli11-dev doctest-dev pkg-config
 for_bench := libbenchmark-dev python3-numpy python3-scipy
@@ -29,6 +49,12 @@ PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(fo
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
 PACKAGES += $(if $(filter fuzz,$(goals)),$(for_fuzz))
+PACKAGES += $(if $(findstring clang,$(CXX)),$(for_clang))
+PACKAGES += $(if $(SANITIZE),libclang-rt-14-dev)
+PACKAGES += $(if $(filter lint,$(goals)),$(for_lint))
+PACKAGES += $(if $(filter coverage,$(goals)),$(for_coverage))
+PACKAGES += $(filter valgrind,$(goals))
+PACKAGES += $(if $(filter fresh,$(goals)),debootstrap)
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
@@ -85,7 +111,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings bench figures check check-interrupts check-environments fuzz claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check check-interrupts check-environments valgrind fresh fuzz mutants lint coverage claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -145,6 +171,42 @@ check-interrupts: build ## interrupt programs, data and figures in a copy of the
 
 check-environments: build ## try a decimal comma, a path with blanks, a tree that can only be read
 	@bash tests/environments $(BUILD)
+
+valgrind: build ## run each program once under valgrind
+	@bash tests/valgrind $(BUILD)
+
+fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
+	@bash tests/fresh
+
+# Every header is compiled alone; what else there is to read goes to clang-tidy and cppcheck.
+all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
+all_sources := $(shell find src tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort)
+lint: $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy) ## compile every header alone, then clang-tidy and cppcheck
+	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt --error-exitcode=1 \
+	    --quiet -j $(shell nproc) -Isrc -I. src tests/solvers tests/particles tests/report tests/programs
+	echo "$(words $(all_headers)) headers compile alone; clang-tidy and cppcheck are content with $(words $(all_sources)) files"
+$(BUILD)/lint/%.alone: % $(BUILD)/flags
+	@mkdir -p $(@D)
+	echo '#include "$*"' | $(CXX) $(CXXFLAGS) $(CPPFLAGS) -fsyntax-only -x c++ -MMD -MP -MF $@.d -MT $@ -
+	touch $@
+$(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers)
+	@mkdir -p $(@D)
+	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
+	touch $@
+
+# The tests of the sections alone, which are compiled again for each mutant.
+mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
+           $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
+             src/asprone2010/formulations.cpp src/solvers/spectrum.cpp src/batra2008/section_4_example_problems.cpp)))
+mutants: ## break the formulas of the sections on purpose, one at a time: their tests must fail
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
+	bash tests/mutants $(BUILD)/mutants
+
+coverage: ## run the tests on counting code; fail where a line of a section file is not reached
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage OPTIMISE="-O1 -ffp-contract=off -Wno-maybe-uninitialized --coverage -fprofile-update=atomic" check
+	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/' --merge-mode-functions=separate --exclude-throw-branches \
+	    --html-details $(BUILD)/coverage/index.html --print-summary > $(BUILD)/coverage/summary.txt
+	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/.*/section_' --filter 'src/.*/limit_stencils' --merge-mode-functions=separate --fail-under-line 100
 
 SECONDS ?= 60
 readers := expression positions table
@@ -257,16 +319,15 @@ $(BUILD)/bin/bench: $(benchmarks) $(common) $(BUILD)/src/batra2008/section_4_exa
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -lbenchmark -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
-# What is fuzzed runs under the compiler's sanitizers. Clang finds quadmath.h behind its own headers.
+# What is fuzzed runs under the compiler's sanitizers.
 $(BUILD)/fuzzing/expression: src/programs/expression.cpp
 $(BUILD)/fuzzing/positions: src/programs/positions.cpp src/report/file.cpp
 $(BUILD)/fuzzing/table: src/report/table.cpp
 $(readers:%=$(BUILD)/fuzzing/%): $(BUILD)/fuzzing/%: tests/fuzzing/%.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "compile $@"
-	gcc=$$(dirname "$$(g++ -print-libgcc-file-name)")
-	clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(CPPFLAGS) -idirafter "$$gcc/include" \
-	    $(filter %.cpp,$^) -L"$$gcc" -lginac -lcln -lquadmath -o $@.tmp.bin
+	clang++ -std=c++20 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(CPPFLAGS) $(for_clang_only) \
+	    $(filter %.cpp,$^) -L$(gcc) -lginac -lcln -lquadmath -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
 $(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
