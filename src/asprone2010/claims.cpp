@@ -1,8 +1,17 @@
 #include "asprone2010/claims.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <map>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"

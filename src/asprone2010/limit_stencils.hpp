@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include <cmath>
+#include <limits>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 

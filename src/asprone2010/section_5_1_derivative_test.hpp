@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <functional>
 #include <optional>
 
 #include "asprone2010/section_5_numerical_tests.hpp"

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <functional>
+#include <utility>
+
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "solvers/banded.hpp"
 

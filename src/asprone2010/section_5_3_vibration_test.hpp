@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <numbers>
+#include <vector>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "solvers/spectrum.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "asprone2010/formulations.hpp"
 
 namespace asprone2010 {

@@ -2,7 +2,14 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <new>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "batra2008/section_4_1_plate.hpp"
 #include "batra2008/section_4_2_hole.hpp"

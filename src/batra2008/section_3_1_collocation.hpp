@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "batra2008/section_3_elastostatics.hpp"
 #include "particles/operators.hpp"
 #include "solvers/sparse.hpp"

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include "batra2008/section_3_1_collocation.hpp"
 
 namespace batra2008 {

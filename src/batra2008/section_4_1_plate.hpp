@@ -1,5 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "batra2008/section_4_example_problems.hpp"
 
 namespace batra2008 {

@@ -1,6 +1,10 @@
 #include "batra2008/section_4_example_problems.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 namespace batra2008::example_problems {
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include <optional>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "batra2008/section_3_2_mlpg.hpp"
 

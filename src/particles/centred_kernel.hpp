@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <new>
+#include <variant>
 
 #include "particles/kernels.hpp"
 

@@ -9,6 +9,8 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "particles/errors.hpp"
 #include "particles/pack.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "particles/kernels.hpp"

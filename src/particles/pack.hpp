@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <limits>
-#include <type_traits>
 
 namespace particles {
 

@@ -1,4 +1,10 @@
 #include "asprone2010/section_5_1_derivative_test.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "asprone2010/section_5_3_vibration_test.hpp"
 #include "batra2008/section_4_1_plate.hpp"

@@ -3,8 +3,11 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "programs/command_line.hpp"
 #include "programs/progress.hpp"

@@ -3,7 +3,7 @@
 #include <gsl/gsl_errno.h>
 
 #include <CLI/CLI.hpp>
-#include <cctype>
+#include <exception>
 #include <iostream>
 #include <new>
 

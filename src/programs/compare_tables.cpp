@@ -1,4 +1,5 @@
 #include <iostream>
+#include <string>
 
 #include "programs/command_line.hpp"
 #include "report/read_table.hpp"

@@ -1,5 +1,7 @@
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "asprone2010/limit_stencils.hpp"
 #include "particles/parallel.hpp"

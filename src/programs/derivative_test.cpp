@@ -1,6 +1,8 @@
 #include "asprone2010/section_5_1_derivative_test.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "programs/expression.hpp"
 #include "programs/formulations.hpp"

@@ -1,4 +1,8 @@
 #include <gsl/gsl_statistics_double.h>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"

@@ -1,13 +1,15 @@
 #include "programs/example_problems.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <sstream>
+#include <system_error>
+#include <utility>
 
-#include "programs/options.hpp"
 #include "programs/room.hpp"
 #include "report/file.hpp"
 

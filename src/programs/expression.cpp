@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <initializer_list>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string_view>
 #include <tuple>

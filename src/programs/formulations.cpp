@@ -1,5 +1,9 @@
 #include "programs/formulations.hpp"
 
+#include <string>
+#include <string_view>
+#include <variant>
+
 #include "batra2008/section_2_ssph_basis.hpp"
 #include "particles/quad.hpp"
 

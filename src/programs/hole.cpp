@@ -1,8 +1,14 @@
 #include <unistd.h>
 
+#include <algorithm>
+#include <exception>
 #include <iostream>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "batra2008/section_4_2_hole.hpp"
 #include "programs/example_problems.hpp"

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <utility>
+#include <variant>
 
 #include "particles/errors.hpp"
-#include "particles/operators.hpp"
 #include "programs/formulations.hpp"
 #include "programs/positions.hpp"
 #include "programs/progress.hpp"

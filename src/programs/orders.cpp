@@ -1,5 +1,9 @@
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"

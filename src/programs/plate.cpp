@@ -1,8 +1,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "batra2008/section_4_1_plate.hpp"
 #include "programs/example_problems.hpp"

@@ -8,11 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "particles/errors.hpp"

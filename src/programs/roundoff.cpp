@@ -1,6 +1,10 @@
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "asprone2010/limit_stencils.hpp"
 #include "asprone2010/section_5_1_derivative_test.hpp"

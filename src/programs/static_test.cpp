@@ -1,6 +1,8 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "programs/expression.hpp"
 #include "programs/formulations.hpp"

@@ -1,5 +1,8 @@
 #include <Eigen/Eigenvalues>
-#include <iostream>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "asprone2010/limit_stencils.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"

@@ -1,5 +1,10 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "asprone2010/limit_stencils.hpp"
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"

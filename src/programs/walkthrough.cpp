@@ -3,6 +3,9 @@
 #include <iostream>
 #include <map>
 #include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "particles/errors.hpp"
 #include "programs/command_line.hpp"

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
+#include <system_error>
+#include <utility>
 
 #include "particles/errors.hpp"
 

@@ -174,6 +174,9 @@ TEST_CASE("(2.2), (2.3): monomials and derivatives stand in the print's order, w
     CHECK((P_2 == Eigen::Array<double, 1, 6>{{1, 2, 3, 4, 9, 6}}).all());
     const auto P_1 = P<1, 3>(Point<1>(2));
     CHECK((P_1 == Eigen::Array<double, 1, 4>{{1, 2, 4, 8}}).all());
+    // Beyond the print, after its pattern: pure powers first, then those with more of the first coordinate.
+    const auto cubic = P<2, 3>({2, 3});
+    CHECK((cubic == Eigen::Array<double, 1, 10>{{1, 2, 3, 4, 9, 6, 8, 27, 12, 18}}).all());
     // The derivative a1, a2, a3 times is here the number with these digits.
     const auto Q_3 = Q<3, 2>([](const Exponents<3>& a) { return 100 * a[0] + 10 * a[1] + a[2]; });
     CHECK(Q_3 == Eigen::Matrix<double, 10, 1>{{0, 100, 10, 1, 200.0 / 2, 20.0 / 2, 2.0 / 2, 110, 11, 101}});
