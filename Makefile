@@ -49,7 +49,7 @@ PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(fo
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
 PACKAGES += $(if $(filter fuzz,$(goals)),$(for_fuzz))
-PACKAGES += $(if $(findstring clang,$(CXX)),$(for_clang))
+PACKAGES += $(if $(findstring clang,$(CXX))$(filter mutants,$(goals)),$(for_clang))
 PACKAGES += $(if $(SANITIZE),libclang-rt-14-dev)
 PACKAGES += $(if $(filter lint,$(goals)),$(for_lint))
 PACKAGES += $(if $(filter coverage,$(goals)),$(for_coverage))
@@ -194,12 +194,12 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers)
 	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
 	touch $@
 
-# The tests of the sections alone, which are compiled again for each mutant.
+# The tests of the sections alone, which are compiled again for each mutant: by clang++, in half of g++'s time.
 mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
            $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
              src/asprone2010/formulations.cpp src/solvers/spectrum.cpp src/batra2008/section_4_example_problems.cpp)))
 mutants: ## break the formulas of the sections on purpose, one at a time: their tests must fail
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
+	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
 	bash tests/mutants $(BUILD)/mutants
 
 coverage: ## run the tests on counting code; fail where a line of a section file is not reached

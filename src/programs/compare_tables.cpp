@@ -1,6 +1,7 @@
 #include <iostream>
 #include <string>
 
+#include "particles/errors.hpp"
 #include "programs/command_line.hpp"
 #include "report/read_table.hpp"
 
@@ -13,11 +14,22 @@ int main(int argc, char** argv) {
     app.add_option("regenerated", regenerated, "CSV file to compare").required();
     return programs::run(app, argc, argv, [&] {
         const auto expected = report::read_table(committed);
-        const auto found = report::differences(expected, report::read_table(regenerated));
+        const auto computed = report::read_table(regenerated);
+        const auto found = report::differences(expected, computed);
         for (const std::string& difference : found) std::cout << committed << ": " << difference << "\n";
-        std::cout << committed << ": " << expected.rows.size() << " rows, "
-                  << (found.empty() ? "all within tolerance" : std::to_string(found.size()) + " differences")
-                  << "\n";
-        return found.empty() ? 0 : 1;
+        std::cout << committed << ": " << expected.rows.size() << " rows, ";
+        if (!found.empty()) {
+            std::cout << found.size() << " differences\n";
+            return 1;
+        }
+        const report::Move most = report::largest_move(expected, computed);
+        std::cout << "all within tolerance; ";
+        if (most.share == 0)
+            std::cout << "no number moved\n";
+        else
+            std::cout << "most moved row " << most.row + 1 << ", " << most.column << ", by "
+                      << particles::shown(most.by, 2) << ", " << particles::shown(100 * most.share, 2)
+                      << " % of what it may\n";
+        return 0;
     });
 }

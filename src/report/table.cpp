@@ -64,12 +64,15 @@ std::vector<std::string> split(const std::string& line) {
     return parts;
 }
 
+double allowed(double x, double y, const Tolerance& tolerance) {
+    return tolerance.relative * std::max(std::abs(x), std::abs(y)) + tolerance.absolute;
+}
+
 bool agree(const Cell& a, const Cell& b, const Tolerance& tolerance) {
     const auto* x = std::get_if<double>(&a);
     const auto* y = std::get_if<double>(&b);
     if (!x || !y) return a == b;
-    return std::abs(*x - *y) <=
-           tolerance.relative * std::max(std::abs(*x), std::abs(*y)) + tolerance.absolute;
+    return std::abs(*x - *y) <= allowed(*x, *y, tolerance);
 }
 
 }  // namespace
@@ -196,6 +199,19 @@ std::vector<std::string> differences(const Table& committed, const Table& regene
                                 " != " + text(b, {}));
         }
     return found;
+}
+
+Move largest_move(const Table& committed, const Table& regenerated) {
+    Move largest;
+    for (std::size_t row = 0; row < committed.rows.size(); ++row)
+        for (std::size_t k = 0; k < committed.columns.size(); ++k) {
+            const auto* x = std::get_if<double>(&committed.rows[row][k]);
+            const auto* y = std::get_if<double>(&regenerated.rows[row][k]);
+            if (!x || !y || *x == *y) continue;
+            const double by = std::abs(*x - *y), share = by / allowed(*x, *y, committed.columns[k].tolerance);
+            if (share > largest.share) largest = {row, committed.columns[k].name, by, share};
+        }
+    return largest;
 }
 
 }  // namespace report

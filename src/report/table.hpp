@@ -52,4 +52,15 @@ Table parsed_words(const std::string& csv);
 /// agree.
 std::vector<std::string> differences(const Table& committed, const Table& regenerated);
 
+/// A number that differs between two tables.
+struct Move {
+    std::size_t row = 0;
+    std::string column;
+    double by = 0;     ///< the difference's absolute value
+    double share = 0;  ///< of the difference that the tolerance allows; zero if nothing moved
+};
+
+/// Of two tables of the same columns and as many rows, the number that moved most against what its tolerance allows.
+Move largest_move(const Table& committed, const Table& regenerated);
+
 }  // namespace report

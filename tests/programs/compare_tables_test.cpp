@@ -7,7 +7,11 @@ TEST_CASE("compare_tables: equal tables pass, a number beyond its tolerance fail
     const std::string a = folder.path + "/a.csv", b = folder.path + "/b.csv";
     report::write_whole(a, "# tolerance of error: relative 0.01, absolute 0\nname,error\nfirst,1\n");
     report::write_whole(b, "name,error\nfirst,1.005\n");
-    CHECK(run("compare_tables " + a + " " + b).code == 0);
+    const auto close = run("compare_tables " + a + " " + b);
+    CHECK(close.code == 0);
+    CHECK(close.output.ends_with(
+        "1 rows, all within tolerance; most moved row 1, error, by 0.005, 50 % of what it may\n"));
+    CHECK(run("compare_tables " + a + " " + a).output.ends_with("no number moved\n"));
     report::write_whole(b, "name,error\nfirst,1.05\n");
     const auto [code, output, errors] = run("compare_tables " + a + " " + b);
     CHECK(code == 1);

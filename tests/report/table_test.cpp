@@ -123,6 +123,21 @@ TEST_CASE("table: numbers within the first table's tolerance agree, others and o
     CHECK(differences(committed, renamed).size() == 1);
 }
 
+TEST_CASE("table: the largest move is the one that takes most of its tolerance") {
+    const Table a = parsed(
+        "# tolerance of u: relative 0, absolute 0.5\n# tolerance of v: relative 0.01, absolute "
+        "0\nu,v\n1,100\n2,200\n");
+    Table b = a;
+    CHECK(report::largest_move(a, b).share == 0);
+    b.rows[0][0] = 1.125;
+    b.rows[1][1] = 199.0;
+    const report::Move most = report::largest_move(a, b);
+    CHECK(most.row == 1);
+    CHECK(most.column == "v");
+    CHECK(most.by == 1);
+    CHECK(most.share == 0.5);
+}
+
 TEST_CASE("table: a tolerance does not let a zero pass for a number") {
     Table a = parsed(csv(example())), b = a;
     a.rows[0][2] = 0.0;
