@@ -540,6 +540,17 @@ TEST_CASE("ssph_basis: too few particles are refused with place and numbers, and
     CHECK(refused > 100);
 }
 
+TEST_CASE("ssph_basis: all rows of K at once are those computed one by one") {
+    const Irregular irregular(2);
+    const Cloud<2> cloud(irregular.x);
+    for (const Eigen::VectorXd& x : irregular.places()) {
+        const auto basis = basis_at<2>(cloud, TruncatedGaussian<2>(irregular.rho), Point<2>(x), irregular.h);
+        const auto all = basis.K();
+        for (Index I = 0; I < basis.n; ++I)
+            CHECK((all.col(I) - basis.K(I)).abs().maxCoeff() < 1e-10 * basis.K(I).abs().maxCoeff());
+    }
+}
+
 TEST_CASE("ssph_basis: a cloud with fewer particles than monomials is refused with the number it needs") {
     CHECK_THROWS_WITH_AS(
         support::bases(2, support::random_points<2>(5, 1), 1000, Point<2>(0.5, 0.25), 0.1),
