@@ -331,18 +331,17 @@ class Basis {
     }
 
     /// The derivative of a row of K with respect to the place, exactly; h stays. From \f$C\,K = D\f$ follows
-    /// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values alone.
+    /// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values alone. H changes by
+    /// H S with some matrix S: in D and in the right factor of C that is the same change, and cancels.
     /// \return weights [1/length to the order of the derivative + 1]
     [[nodiscard]] Column<Scalar> differentiated(Index I, int axis) const {
         const Column<Scalar>& W = near_.W;
         const Column<Scalar> dW = 2 * near_.s.col(axis) * (W + near_.edge);
         const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I));
-        const Column<Scalar> p = sum(a), dp = sum(shifted(a, axis));
-        const Vector<Scalar> dC_a =
-            shifted_back(H_.matrix().transpose().lazyProduct((W * p).matrix()), axis) +
-            H_.matrix().transpose().lazyProduct((W * dp + dW * p).matrix());
-        const Vector<Scalar> da = -factors_.solve(dC_a);
-        return (dW * p + W * (dp + sum(da))) / (unit(I) * h_);
+        const Column<Scalar> p = sum(a);
+        const Vector<Scalar> dC_a = shifted(H_.matrix().transpose().lazyProduct((W * p).matrix()), axis) +
+                                    H_.matrix().transpose().lazyProduct((dW * p).matrix());
+        return (dW * p - W * sum(factors_.solve(dC_a))) / (unit(I) * h_);
     }
 
     /// Condition number of C in the 2-norm.
@@ -368,17 +367,9 @@ class Basis {
         return power;
     }
 
-    /// H·shifted(a) is the derivative of H·a with respect to the place, in units of h: a monomial of the offset becomes minus
-    /// its exponent times the lower monomial.
-    [[nodiscard]] static Vector<Scalar> shifted(const Vector<Scalar>& a, int axis) {
-        Vector<Scalar> b = Vector<Scalar>::Zero(n);
-        for (int k = 1; k < n; ++k)
-            if (const int lower = lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)];
-                lower >= 0)
-                b[lower] -= exponent(k, axis) * a[k];
-        return b;
-    }
-    [[nodiscard]] static Vector<Scalar> shifted_back(const Vector<Scalar>& v, int axis) {
+    /// \f$\partial H^T w\f$ from \f$v = H^T w\f$, in units of h: with the place a monomial of the offset changes by minus its exponent
+    /// times the lower monomial.
+    [[nodiscard]] static Vector<Scalar> shifted(const Vector<Scalar>& v, int axis) {
         Vector<Scalar> b = Vector<Scalar>::Zero(n);
         for (int k = 1; k < n; ++k)
             if (const int lower = lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)];

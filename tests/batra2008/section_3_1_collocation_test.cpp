@@ -132,6 +132,7 @@ TEST_CASE(
             CAPTURE(N);
             CAPTURE(rho);
             System of = system<2>(problem, Cloud<2>(x), Kernel(rho), 0);
+            CHECK(of.nearest.nonZeros() < 0.8 * static_cast<double>(of.A.nonZeros()));
             solvers::scale_rows(of.A, of.b, of.nearest);
             const Eigen::VectorXd direct = solvers::solve_sparse(of.A, of.b);
             const auto iterated = solvers::iterated(of.A, of.b, of.nearest);

@@ -97,6 +97,29 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("(3.19): the traction given works on those components that are not displaced") {
+    elastostatics::Exact doubled = cubic.exact();
+    doubled.stress = [](const Point<2>& x) { return Stress(2 * cubic.stress(x)); };
+    bool some_displaced = false;
+    for (const Point<2>& x : places) {
+        CAPTURE(x);
+        const Subdomain Omega = subdomain_at(x, 12);
+        Vector expected = Vector::Zero(), size = Vector::Constant(1);
+        for (const BoundaryPoint& at : Omega.boundary) {
+            const Vector work = at.weight * at.W * elastostatics::traction(cubic.stress(at.x), at.n);
+            size += work.cwiseAbs();
+            for (Index i = 0; i < 2; ++i)
+                if (at.displaced[static_cast<std::size_t>(i)])
+                    some_displaced = true;
+                else
+                    expected[i] -= work[i];
+        }
+        const Vector moved = weak_form(Omega, field, doubled, 0) - weak_form(Omega, field, cubic.exact(), 0);
+        CHECK((moved - expected).norm() < 1e-10 * size.norm());
+    }
+    CHECK(some_displaced);
+}
+
 TEST_CASE("(3.20): with matrices: (LM)ᵀ D strains are stresses on the gradient of W, N σ is the traction") {
     const Vector DW_at(3, -2), n(0.6, 0.8);
     const Strain strain(1e-3, -4e-4, 6e-4);

@@ -28,6 +28,11 @@ TEST_CASE(
     CHECK(imbalance(gradient, Vector::Zero()).norm() > 0.1 * size);
 }
 
+TEST_CASE("(3.1): each component's derivatives by their coordinates, and the body force") {
+    const Eigen::Matrix<double, 3, 2> gradient{{2, 3}, {5, 7}, {11, 13}};  // of the stresses 11, 22, 12
+    CHECK(imbalance(gradient, Vector(100, 200)) == Vector(2 + 13 + 100, 11 + 7 + 200));
+}
+
 TEST_CASE("(3.2): the traction is the stress tensor times the normal") {
     const Stress sigma(3, -5, 2);
     const Eigen::Matrix2d tensor{{3, 2}, {2, -5}};

@@ -125,6 +125,20 @@ TEST_CASE("plate: rates of convergence as an independent calculation found them"
     CHECK(std::abs(rate(e, f, 2) - 2.00) < 0.01);
 }
 
+TEST_CASE("plate: a grid goes column by column from the left, upwards in each") {
+    const Points<2> x = plate::grid(4, 3);
+    REQUIRE(x.cols() == 12);
+    CHECK((x.col(1) - Point<2>(0, plate::L2 / 2)).norm() < 1e-15);
+    CHECK((x.col(3) - Point<2>(plate::L1 / 3, 0)).norm() < 1e-15);
+    CHECK((x.col(11) - Point<2>(plate::L1, plate::L2)).norm() < 1e-15);
+}
+
+TEST_CASE("plate: the weights of the background mesh add up to its area") {
+    double area = 0;
+    for (const auto& at : plate::mesh(4, 3)) area += at.weight;
+    CHECK(area == support::relative(plate::L1 * plate::L2, 1e-13));
+}
+
 TEST_CASE("plate: grids without meaning and conditions that say the same are refused") {
     CHECK_THROWS_AS(plate::grid(1, 4), particles::InvalidInput);
     plate::Corners corners = plate::default_corners();

@@ -32,16 +32,23 @@ TEST_CASE(
                 sum += at.weight * std::pow(at.x[0], a) * std::pow(at.x[1], b);
             CHECK(sum == support::relative(1.0 / ((a + 1) * (b + 1)), 1e-13));
         }
-    double degree_8 = 0, area = 0;
+    double degree_8 = 0;
     for (const MeshPoint& at : identity) degree_8 += at.weight * std::pow(at.x[0], 8);
     CHECK(std::abs(degree_8 - 1.0 / 9) > 1e-9);
-    for (const MeshPoint& at : plate::mesh(4, 3)) area += at.weight;
-    CHECK(area == support::relative(plate::L1 * plate::L2, 1e-13));
+    const auto stretched = background_mesh(
+        2, 3, [](const Point<2>& at) { return Point<2>(3 * at[0], 2 * at[1]); },
+        [](const Point<2>&) { return 6.0; });
+    double integral = 0;
+    for (const MeshPoint& at : stretched) integral += at.weight * at.x[0] * at.x[1];
+    CHECK(integral == support::relative(9.0 / 2 * 4.0 / 2, 1e-13));
 }
 
 TEST_CASE("example_problems: methods by their names; degrees that a method cannot use are refused") {
     for (const Method method : {Method::strong, Method::weak1, Method::weak2})
         CHECK(method_named(name(method)) == method);
+    CHECK(name(Method::strong) == "strong");
+    CHECK(name(Method::weak1) == "weak1");
+    CHECK(name(Method::weak2) == "weak2");
     CHECK_THROWS_WITH_AS(method_named("weak3"), doctest::Contains("choose all, or some of strong"),
                          particles::InvalidInput);
     const Problem problem = plate::problem({plate::E, plate::nu});
@@ -73,5 +80,29 @@ TEST_CASE("example_problems: stress and displacement of a solution are those of 
         const State state = state_at(cloud, {{method, 4}, field.material, u}, x);
         CHECK((state.u - field.u(x)).norm() < 1e-12);
         CHECK((state.stress - field.stress(x)).norm() < 1e-10 * field.stress(x).norm());
+    }
+}
+
+TEST_CASE("example_problems: each method solves with its own gradient, and shows stresses by the same") {
+    const support::PolynomialField field{{2e11, 0.3}, true};  // of degree 3, so that the gradients differ
+    const Problem problem = support::plate_with(field);
+    const Cloud<2> cloud(support::moved_grid(8, 3, 0.1, 4));
+    Eigen::VectorXd u(2 * cloud.size());
+    for (Index J = 0; J < cloud.size(); ++J) u.segment<2>(2 * J) = field.u(cloud.x().col(J));
+    const Point<2> x(0.43, 0.11);
+    const auto basis = batra2008::ssph_basis::basis_at<2>(cloud, Kernel(4), x, cloud.h()[cloud.nearest(x)]);
+    for (const auto& [method, own] : {std::pair(Method::weak1, mlpg::Gradient::own_basis),
+                                      std::pair(Method::weak2, mlpg::Gradient::differentiated)}) {
+        const Discretisation how{method, 4, 2, plate::penalty(field.material)};
+        const System expected =
+            mlpg::system<2>(problem, cloud, Kernel(4), {own, how.penalty, how.test_scaling, how.gauss});
+        CHECK((system(problem, cloud, how).A - expected.A).norm() == 0);
+        const auto [K2, K3] = mlpg::gradient(basis, own);
+        Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+        for (Index j = 0; j < K2.size(); ++j)
+            gradient += u.segment<2>(2 * basis.particle()[static_cast<std::size_t>(j)]) *
+                        Eigen::RowVector2d(K2[j], K3[j]);
+        const Stress stress = elastostatics::stress(field.material, elastostatics::strain(gradient));
+        CHECK((state_at(cloud, {how, field.material, u}, x).stress - stress).norm() <= 1e-12 * stress.norm());
     }
 }
