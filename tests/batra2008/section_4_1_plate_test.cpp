@@ -133,6 +133,31 @@ TEST_CASE("plate: a grid goes column by column from the left, upwards in each") 
     CHECK((x.col(11) - Point<2>(plate::L1, plate::L2)).norm() < 1e-15);
 }
 
+TEST_CASE("plate: the penalty parameter is 1e5 times the modulus over the length") {
+    CHECK(plate::penalty({2e11, 0.3, elastostatics::Plane::strain}) ==
+          support::relative(1e5 * 2e11 / (1 - 0.09) / plate::L1, 1e-14));
+}
+
+TEST_CASE("plate: the largest error of u2 is that of the bottom edge alone") {
+    const support::PolynomialField field{{2e11, 0.3}};
+    const Problem problem = support::plate_with(field);
+    const Cloud<2> cloud(plate::grid(16, 4));
+    double largest = 0;
+    for (Index I = 0; I < cloud.size(); ++I)
+        if (cloud.x()(1, I) == 0) largest = std::max(largest, std::abs(field.u(cloud.x().col(I))[1]));
+    const auto error = [&](const auto& wrong_by) {
+        Eigen::VectorXd u(2 * cloud.size());
+        for (Index J = 0; J < cloud.size(); ++J) {
+            const Point<2> x = cloud.x().col(J);
+            u.segment<2>(2 * J) = field.u(x) + Vector(0, wrong_by(x));
+        }
+        return plate::largest_error_u2(cloud, {{example_problems::Method::strong, 4}, field.material, u},
+                                       problem);
+    };
+    CHECK(error([](const Point<2>& x) { return x[1] * x[1]; }) < 1e-8);
+    CHECK(error([](const Point<2>&) { return 0.25; }) == support::relative(100 * 0.25 / largest, 1e-8));
+}
+
 TEST_CASE("plate: the weights of the background mesh add up to its area") {
     double area = 0;
     for (const auto& at : plate::mesh(4, 3)) area += at.weight;
