@@ -12,6 +12,11 @@ const std::vector<Point<2>> places{{0.31, 0.02}, {0.5, 0.4}, {0.05, 0.33}, {2.9,
 
 }  // namespace
 
+TEST_CASE("hole: the penalty parameter is 1e5 times the modulus over the side") {
+    CHECK(hole::penalty({2e11, 0.3, elastostatics::Plane::strain}) ==
+          support::relative(1e5 * 2e11 / (1 - 0.09) / 3, 1e-14));
+}
+
 TEST_CASE("(4.7): the hole carries no traction, and far away there is the tension alone") {
     for (double theta = 0; theta < 1.6; theta += 0.1) {
         const Eigen::Vector3d at_hole = hole::polar_stress(0.3, 0.3, theta);
