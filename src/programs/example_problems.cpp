@@ -140,7 +140,7 @@ void check_cloud(double particles, double neighbours) {
 }
 
 void check_states(double places) {
-    const auto columns = static_cast<double>(case_columns().size() + state_columns().size());
+    const auto columns = static_cast<double>(case_columns().size() + state_columns({}).size());
     check_room(particles::shown(places, 12) + " places of --states", places * columns * sizeof(Cell),
                "take fewer");
 }
@@ -231,8 +231,11 @@ void add_cost(std::vector<Cell>& row, const Cost& cost) {
     row.insert(row.end(), {cost.assembly, cost.solution, cost.megabytes});
 }
 
-std::vector<report::ColumnHead> state_columns() {
-    constexpr report::Tolerance length{1e-6, 1e-10}, pressure{1e-6, 10};
+std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& cases) {
+    constexpr report::Tolerance length{1e-6, 1e-10};
+    report::Tolerance pressure{1e-6, 10};
+    for (const ExampleCase& of : cases)
+        pressure.absolute = std::max(pressure.absolute, 1e-12 * elastostatics::D(of.material)(0, 0));
     std::vector<report::ColumnHead> columns{{"x1"}, {"x2"}};
     for (const char* name : {"u1", "u2"}) columns.push_back({name, length});
     for (const char* name : {"s11", "s22", "s12"}) columns.push_back({name, pressure});
@@ -262,16 +265,17 @@ void add_states(report::Table& table, const std::vector<Cell>& of, const Solved&
     }
 }
 
+FieldFile::FieldFile(std::string path, const std::vector<ExampleCase>& cases) : path_(std::move(path)) {
+    report::check_writable(path_);
+    table_.comments = {"displacements u [m] and stresses s [Pa] at the particles x [m], computed and exact"};
+    table_.columns = case_columns();
+    for (const auto& column : state_columns(cases)) table_.columns.push_back(column);
+}
+
 void FieldFile::add(const ExampleCase& of, const Solved& solved) {
     if (path_.empty()) return;
     const Points<2>& x = solved.cloud.x();
-    if (table_.columns.empty()) {
-        x_ = x;
-        table_.comments = {
-            "displacements u [m] and stresses s [Pa] at the particles x [m], computed and exact"};
-        table_.columns = case_columns();
-        for (const auto& column : state_columns()) table_.columns.push_back(column);
-    }
+    if (table_.rows.empty()) x_ = x;
     if (x.cols() != x_.cols() || x != x_)
         throw InvalidInput("--field holds one set of particles; ask for one at a time");
     std::vector<Cell> cells = case_cells(of);

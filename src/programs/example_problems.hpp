@@ -82,7 +82,8 @@ std::vector<report::ColumnHead> case_columns();
 std::vector<report::Cell> case_cells(const ExampleCase& of);
 
 /// Columns of a state, computed and exact, and their cells at some places: one row each, behind the cells that name the case.
-std::vector<report::ColumnHead> state_columns();
+/// Stresses are reproducible to 10 Pa, and where a material is nearly incompressible, to what a strain of 1e-12 makes of stress.
+std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& cases);
 void add_states(report::Table& table, const std::vector<report::Cell>& of, const Solved& solved,
                 const std::vector<batra2008::Point<2>>& places);
 
@@ -90,8 +91,8 @@ void add_states(report::Table& table, const std::vector<report::Cell>& of, const
 /// format), else CSV. It is written once all solutions are known.
 class FieldFile {
   public:
-    /// \throws particles::FailedComputation for a file that could not be written in the end
-    explicit FieldFile(std::string path) : path_(std::move(path)) { report::check_writable(path_); }
+    /// \param cases what will be added \throws particles::FailedComputation for a file that could not be written in the end
+    FieldFile(std::string path, const std::vector<ExampleCase>& cases);
     /// \throws particles::InvalidInput for solutions on other particles than the first
     void add(const ExampleCase& of, const Solved& solved);
     void write() const;

@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
         if (!figure.path.empty()) check_drawable(options, cases, layouts.size() * all_radii.size() * draws);
         double rho = cases.front().how.scaling;
         for (const programs::ExampleCase& of : cases) rho = std::min(rho, of.how.scaling);
-        programs::FieldFile field(options.field);
+        programs::FieldFile field(options.field, cases);
         report::Table table;
         table.comments = {
             "Batra and Zhang (2008), Section 4.2: a quarter of a plate with a hole; lengths in m, stresses "
@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
         table.columns = programs::case_columns();
         table.columns.insert(table.columns.end(), {{"layout"}, {"radius"}, {"draw"}});
         const bool states = !options.states.empty();
-        const auto results = states ? programs::state_columns()
+        const auto results = states ? programs::state_columns(cases)
                                     : std::vector<report::ColumnHead>{{"log_error_dn", {1e-4, 1e-4}},
                                                                       {"log_error_nd", {1e-4, 1e-4}},
                                                                       {"deviation_u1_mm", {1e-4, 1e-6}},

@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
         const auto cases = programs::cases(options, plate::E, plate::penalty);
         const std::vector<plate::Corners> choices = choices_of(corners);
         if (!figure.path.empty()) check_drawable(options, cases, grids.size(), choices.size());
-        programs::FieldFile field(options.field);
+        programs::FieldFile field(options.field, cases);
         report::Table table;
         table.comments = {
             "Batra and Zhang (2008), Section 4.1: a plate under shear; lengths in m, stresses in Pa",
@@ -147,7 +147,7 @@ int main(int argc, char** argv) {
         for (const char* name : {"nx", "ny", "corner_1", "corner_2", "corner_3", "corner_4"})
             table.columns.push_back({name});
         const bool states = !options.states.empty();
-        const auto results = states ? programs::state_columns()
+        const auto results = states ? programs::state_columns(cases)
                                     : std::vector<report::ColumnHead>{{"log_error_dn", {1e-5, 1e-5}},
                                                                       {"log_error_nd", {1e-5, 1e-5}},
                                                                       {"max_error_u2_percent", {1e-5, 1e-6}}};
