@@ -58,7 +58,7 @@ PACKAGES += $(if $(filter fresh,$(goals)),debootstrap)
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/asprone2010/formulations.cpp src/solvers/spectrum.cpp \
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/asprone2010/formulations.cpp $(wildcard src/solvers/*.cpp) \
             $(addprefix src/programs/,command_line.cpp options.cpp room.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort))
 benchmarks := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/benchmarks/*.cpp))
@@ -197,7 +197,7 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers)
 # The tests of the sections alone, which are compiled again for each mutant: by clang++, in half of g++'s time.
 mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
            $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
-             src/asprone2010/formulations.cpp src/solvers/spectrum.cpp src/batra2008/section_4_example_problems.cpp)))
+             src/asprone2010/formulations.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
 mutants: ## break the formulas of the sections on purpose, one at a time: their tests must fail
 	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
 	bash tests/mutants $(BUILD)/mutants
@@ -250,8 +250,8 @@ verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare
 	$(bin)/walkthrough --readme $(BUILD)/verify/README.md --check-readme || failed=1
 	exit $$failed
 
-# Installed are the headers of the methods and of what they stand on, not the claims'. Three of them have source files,
-# spectrum, formulations and section_4_example_problems: they become a small static library.
+# Installed are the headers of the methods and of what they stand on, not the claims'. Four of them have source files,
+# sparse, spectrum, formulations and section_4_example_problems: they become a small static library.
 PREFIX ?= /usr/local
 headers := $(filter-out %/claims.hpp,$(wildcard $(patsubst %,src/%/*.hpp,particles solvers $(papers))))
 define install_below
@@ -332,7 +332,7 @@ $(readers:%=$(BUILD)/fuzzing/%): $(BUILD)/fuzzing/%: tests/fuzzing/%.cpp $(BUILD
 	    $(filter %.cpp,$^) -L$(gcc) -lginac -lcln -lquadmath -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
-$(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
+$(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/sparse.o $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
                                 $(BUILD)/src/batra2008/section_4_example_problems.o
 	@rm -f $@
 	ar rcs $@ $^

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <unsupported/Eigen/IterativeSolvers>
 #include <vector>
 
 #include "particles/errors.hpp"
@@ -141,25 +140,6 @@ class Factors {
     std::string fault_;
 };
 
-namespace detail {
-
-/// Factors in the shape in which Eigen's iterations take a preconditioner.
-class Preconditioner {
-  public:
-    void take(const Factors& factors) { factors_ = &factors; }
-    template <class Matrix>
-    Preconditioner& compute(const Matrix& /*A*/) {
-        return *this;
-    }
-    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors_->solve(b); }
-    [[nodiscard]] Eigen::ComputationInfo info() const { return Eigen::Success; }
-
-  private:
-    const Factors* factors_ = nullptr;
-};
-
-}  // namespace detail
-
 /// Solves A x = b by GMRES. Its preconditioner are the factors of the same equations on fewer, the nearest, particles. Both agree on
 /// all that varies slowly: the number of iterations does not grow with that of the particles. The residual that is made small is
 /// the preconditioned one, which is as large as the error of x; how to choose what is nearest, and what else was tried, stands
@@ -167,51 +147,13 @@ class Preconditioner {
 /// \param nearest rows scaled as those of A are
 /// \return nothing where the iteration does not converge, or where one of the matrices is singular: what moves freely without
 ///         the far neighbours does so with them
-inline std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
-                                               const SparseRows& nearest) {
-    const int ordering = A.rows() > 100000 ? UMFPACK_ORDERING_METIS : UMFPACK_ORDERING_AMD;
-    const Factors factors(nearest, {.ordering = ordering, .refined = false});
-    if (!factors.fault().empty()) return {};
-    Eigen::GMRES<SparseRows, detail::Preconditioner> gmres;
-    gmres.preconditioner().take(factors);
-    gmres.compute(A);
-    gmres.set_restart(20);
-    gmres.setMaxIterations(60);
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-    // Far larger than the first guess is x only where A is singular and nearest is not.
-    const double most = 1e6 * factors.solve(b).cwiseAbs().maxCoeff();
-    // Where round-off was felt, again from the true residual.
-    for (const double tolerance : {1e-14, 1e-4, 1e-4}) {
-        gmres.setTolerance(tolerance);
-        x = gmres.solveWithGuess(b, x).eval();
-        if (gmres.info() != Eigen::Success || !(x.cwiseAbs().maxCoeff() <= most)) return {};
-        if (relative_residual(A, x, b) < largest_residual) return x;
-    }
-    return {};
-}
+std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
+                                        const SparseRows& nearest);
 
 /// Solves A x = b, after the rows are scaled: iterated() if the same equations on the nearest particles are given, and where that
 /// fails or they are not by a sparse factorisation of A.
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
 /// \throws particles::FailedComputation where A is singular to working precision or the residual stays large
-inline Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest = {}) {
-    const auto refuse = [&](const std::string& why) {
-        throw particles::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
-                                           why + "; take another scaling factor or other particles");
-    };
-    scale_rows(A, b, nearest);
-    if (!b.allFinite() || !Eigen::Map<const Eigen::ArrayXd>(A.valuePtr(), A.nonZeros()).allFinite())
-        refuse("has rows that are zero or not finite");
-    if (nearest.rows() > 0)
-        if (const auto x = iterated(A, b, nearest)) return *x;
-
-    const Factors factors(A, {});
-    if (!factors.fault().empty()) refuse(factors.fault());
-    const Eigen::VectorXd x = factors.solve(b);
-    const double residual = relative_residual(A, x, b);
-    if (!(residual < largest_residual))
-        refuse("was not solved (relative residual " + particles::shown(residual, 2) + ")");
-    return x;
-}
+Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest = {});
 
 }  // namespace solvers
