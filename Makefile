@@ -178,12 +178,12 @@ valgrind: build ## run each program once under valgrind
 fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
 	@bash tests/fresh
 
-# Every header is compiled alone; what else there is to read goes to clang-tidy and cppcheck.
+# Every header is compiled alone. clang-tidy reads src/, every header of it within some source file; cppcheck the tests too.
 all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
-all_sources := $(shell find src tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort)
+all_sources := $(shell find src -name '*.cpp' | LC_ALL=C sort)
 lint: $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy) ## compile every header alone, then clang-tidy and cppcheck
 	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt --error-exitcode=1 \
-	    --quiet -j $(shell nproc) -Isrc -I. src tests/solvers tests/particles tests/report tests/programs
+	    --quiet -j $(shell nproc) -Isrc -I. src tests
 	echo "$(words $(all_headers)) headers compile alone; clang-tidy and cppcheck are content with $(words $(all_sources)) files"
 $(BUILD)/lint/%.alone: % $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -191,7 +191,7 @@ $(BUILD)/lint/%.alone: % $(BUILD)/flags
 	touch $@
 $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers)
 	@mkdir -p $(@D)
-	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
+	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
 	touch $@
 
 # The tests of the sections alone, which are compiled again for each mutant: by clang++, in half of g++'s time.

@@ -91,7 +91,8 @@ inline std::vector<std::complex<double>> frequencies(const Formulation<double>& 
 /// A mode with what its shape leaves of \eq{A52}.
 struct Mode {
     std::complex<double> frequency;
-    double residual;  ///< \f$\|\mathbf{K}^{-1}\mathbf{x} + \mathbf{x}/\omega^2\| / \|\mathbf{x}/\omega^2\|\f$
+    double residual =
+        0;  ///< \f$\|\mathbf{K}^{-1}\mathbf{x} + \mathbf{x}/\omega^2\| / \|\mathbf{x}/\omega^2\|\f$
 };
 
 /// The lowest modes of \eq{A52}, for lines that are too long for all of them.

@@ -23,7 +23,6 @@ namespace {
 
 using elastostatics::Material;
 using elastostatics::Plane;
-using example_problems::Discretisation;
 using example_problems::Method;
 using example_problems::Solution;
 using report::Measurement;

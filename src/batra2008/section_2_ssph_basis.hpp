@@ -290,7 +290,7 @@ class Basis {
     /// \param h smoothing length [length]
     /// \throws particles::SingularNeighbourhood where the particles do not determine the monomials: they are too few, or all
     ///         lie on a curve (a surface) that a polynomial of degree m describes
-    Basis(Surroundings<dim, Scalar> near, const Scalar& h)
+    Basis(Surroundings<dim, Scalar> near, Scalar h)
         : near_(std::move(near)),
           h_(h),
           H_(H<dim, m, Scalar>(near_.s)),

@@ -26,7 +26,7 @@ struct System {
 /// The displacements \f$u_1, u_2\f$ of each particle. [length]
 /// \throws particles::FailedComputation as solvers::solve_sparse()
 inline Eigen::VectorXd solved(System of) {
-    return solvers::solve_sparse(std::move(of.A), std::move(of.b), std::move(of.nearest));
+    return solvers::solve_sparse(of.A, std::move(of.b), of.nearest);
 }
 
 /// Section 3.1, collocation of the strong form: "strong".

@@ -6,7 +6,8 @@
 #include <string>
 
 #ifdef __FAST_MATH__
-#error "-ffast-math takes away infinity and NaN, by which what cannot be computed is found; compile without it"
+#error \
+    "-ffast-math takes away infinity and NaN, by which what cannot be computed is found; compile without it"
 #endif
 
 /// The shared vocabulary of particle methods; it knows no paper.

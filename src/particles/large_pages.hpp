@@ -12,9 +12,10 @@ namespace particles {
 template <class Number>
 void prefer_large_pages(Number* first, Eigen::Index count) {
     constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-    const auto begin = (reinterpret_cast<std::uintptr_t>(first) + page - 1) / page * page;
-    const auto end = reinterpret_cast<std::uintptr_t>(first + count) / page * page;
-    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    const std::uintptr_t before = (page - reinterpret_cast<std::uintptr_t>(first) % page) % page;
+    const std::uintptr_t bytes = static_cast<std::uintptr_t>(count) * sizeof(Number);
+    if (bytes >= before + page)
+        madvise(reinterpret_cast<char*>(first) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
 }
 
 }  // namespace particles

@@ -39,7 +39,7 @@ template <class Terms>
 typename Terms::Scalar nonzero_sum(const Eigen::ArrayBase<Terms>& terms) {
     using Scalar = typename Terms::Scalar;
     using std::abs;
-    const Scalar sum = terms.sum();
+    Scalar sum = terms.sum();
     const Scalar size = terms.abs().sum();
     if (!everywhere(abs(sum) > 100 * std::numeric_limits<Scalar>::epsilon() * size))
         throw SingularNeighbourhood(least(abs(sum) / size));

@@ -30,7 +30,7 @@ struct Pack {
 
     /// The numbers from an address on, which need not be aligned.
     static Pack from(const double* first) {
-        Pack loaded;
+        Pack loaded{};
         __builtin_memcpy(&loaded.of, first, sizeof(Vector));
         return loaded;
     }

@@ -19,8 +19,8 @@ class CommandLine {
   public:
     /// \param about a sentence or two \param name of the program \param examples the last lines of `--help`
     CommandLine(const std::string& about, const std::string& name, const std::string& examples = "");
-    CommandLine(CommandLine&&) noexcept;
-    CommandLine& operator=(CommandLine&&) noexcept;
+    CommandLine(CommandLine&& other) noexcept;
+    CommandLine& operator=(CommandLine&& other) noexcept;
     ~CommandLine();
 
     /// One option. Each member narrows it and returns it.

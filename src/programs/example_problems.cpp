@@ -154,7 +154,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
         for (const std::string& name : options.methods)
             methods.push_back(example_problems::method_named(name));
     }
-    double count = static_cast<double>(methods.size());
+    auto count = static_cast<double>(methods.size());
     for (const auto& [option, list] : {std::pair("--poisson", options.poisson),
                                        {"--degree", options.degree},
                                        {"--scaling", options.scaling},

@@ -132,7 +132,8 @@ std::string quoted(std::string text) {
         std::size_t end = longest;
         while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
             --end;  // whole characters
-        text = text.substr(0, end) + "...";
+        text.resize(end);
+        text += "...";
     }
     for (char& letter : text)
         if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';

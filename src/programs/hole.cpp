@@ -27,7 +27,7 @@ Points<2> read_positions(const std::string& path) {
     long number = 0;
     for (std::string line; std::getline(in, line);) {
         ++number;
-        line = line.substr(0, line.find('#'));
+        line.resize(std::min(line.find('#'), line.size()));
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream words(line);
         words.imbue(std::locale::classic());

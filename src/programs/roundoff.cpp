@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
             const double spacing = 1 / static_cast<double>(of.N - 1);
             programs::in_precision(of.precision, [&](auto zero) {
                 using Scalar = decltype(zero);
-                const double epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+                const auto epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
                 table.rows[at] = {of.formulation,
                                   of.precision,
                                   static_cast<long>(of.N),

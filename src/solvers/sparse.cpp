@@ -15,7 +15,7 @@ class Preconditioner {
         return *this;
     }
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors_->solve(b); }
-    [[nodiscard]] Eigen::ComputationInfo info() const { return Eigen::Success; }
+    [[nodiscard]] static Eigen::ComputationInfo info() { return Eigen::Success; }
 
   private:
     const Factors* factors_ = nullptr;

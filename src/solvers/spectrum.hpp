@@ -25,6 +25,7 @@ inline std::vector<std::complex<double>> eigenvalues(Eigen::MatrixXd K) {
         throw particles::FailedComputation("the eigenvalues of a matrix of " + std::to_string(N) +
                                            " rows were not found");
     std::vector<std::complex<double>> all;
+    all.reserve(static_cast<std::size_t>(N));
     for (lapack_int k = 0; k < N; ++k) all.emplace_back(real[k], imaginary[k]);
     return all;
 }

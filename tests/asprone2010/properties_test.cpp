@@ -20,8 +20,8 @@ struct Case {
     Column<double> x;
     Volumes volumes;
     Kernel kernel;
-    Column<double> h;  // one, or one for each particle
-    double factor;     // to stretch it by
+    Column<double> h;   // one, or one for each particle
+    double factor = 1;  // to stretch it by
 
     [[nodiscard]] std::string description() const {
         const auto N = static_cast<double>(x.size() - 1);
@@ -164,8 +164,8 @@ struct RoundOff {
     [[nodiscard]] Known corrected() const {
         const auto& [r, W, DW, V] = near;
         const Column<double> s = r.abs(), WV = W * V;
-        const auto M =
-            rkpm::moment_matrix<double, p...>([&, &r = r](int k) { return (r.pow(k) * WV).sum(); });
+        const auto M = rkpm::moment_matrix<double, p...>(
+            [&, &signed_r = r](int k) { return (signed_r.pow(k) * WV).sum(); });
         const auto M_size = rkpm::moment_matrix<double, p...>([&](int k) { return (s.pow(k) * WV).sum(); });
         const auto inverse = of_inverse<sizeof...(p)>(M, unit * M_size);
         Index k = 0;
