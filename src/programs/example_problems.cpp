@@ -304,11 +304,21 @@ void FieldFile::add(const ExampleCase& of, const Solved& solved) {
             array(std::string(component) + "_" + name, "SCALARS", {column.c_str()}, 0);
         }
     };
-    if (first == 0) arrays("exact", "_exact");
-    std::string name = example_problems::name(of.how.method);
-    if (vtk_.find("u_" + name + " ") != std::string::npos)
-        name += "_" + std::to_string(first / places.size());
-    arrays(name, "");
+    const auto numbered = [&](const std::string& name) {
+        const bool taken = vtk_.find("u_" + name + " ") != std::string::npos;
+        return taken ? name + "_" + std::to_string(first / places.size()) : name;
+    };
+    // Another material has other exact states.
+    const auto exact = [&](std::size_t row) {
+        const std::vector<Cell>& cells_of = table_.rows[row];
+        return std::vector<Cell>(cells_of.begin() + static_cast<Index>(table_.column("u1_exact")),
+                                 cells_of.end());
+    };
+    bool another = first == 0;
+    for (std::size_t k = 0; !another && k < places.size(); ++k)
+        another = exact(first + k) != exact(first - places.size() + k);
+    if (another) arrays(numbered("exact"), "_exact");
+    arrays(numbered(example_problems::name(of.how.method)), "");
 }
 
 void FieldFile::write() const {

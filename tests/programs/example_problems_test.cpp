@@ -44,6 +44,20 @@ TEST_CASE(
     CHECK(std::count(vtk.begin(), vtk.end(), '\n') == 5 + 64 + 1 + 64 + 1 + 3 * (65 + 3 * 66));
 }
 
+TEST_CASE("example_problems: --field for ParaView holds the exact states of each material") {
+    const Folder folder;
+    CHECK(run("plate --method strong --scaling 3,3.1 --poisson 0.3,0.4 --field " + folder.path + "/f.vtk")
+              .code == 0);
+    const std::string vtk = report::read_whole(folder.path + "/f.vtk");
+    std::vector<std::string> names;
+    const std::string before = "VECTORS u_";
+    for (std::size_t at = vtk.find(before); at != std::string::npos; at = vtk.find(before, at + 1))
+        names.push_back(
+            vtk.substr(at + before.size(), vtk.find(' ', at + before.size()) - at - before.size()));
+    CHECK(names ==
+          std::vector<std::string>{"exact", "strong", "strong_1", "exact_2", "strong_2", "strong_3"});
+}
+
 TEST_CASE("example_problems: stresses near the incompressible are compared by what they are to strains") {
     const auto tolerance = [](double nu, const std::string& column) {
         ExampleCase of;
