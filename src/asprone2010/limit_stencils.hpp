@@ -90,6 +90,13 @@ Scalar moment(const Stencil<Scalar>& of, int k) {
     return sum;
 }
 
+/// \f$\sum_j |w_j|\,|r_j|^k\f$: against it, a moment vanishes or does not.
+template <class Scalar>
+Scalar absolute_moment(const Stencil<Scalar>& of, int k) {
+    const Stencil<Scalar> absolute{of.r.abs(), of.w.abs()};
+    return moment(absolute, k);
+}
+
 /// \f$m_k/k! - \delta_{kd}\f$: the factor of \f$\delta^{k-d} B^{(k)}\f$ in the error.
 template <class Scalar>
 Scalar taylor_coefficient(const Stencil<Scalar>& of, int k, int derivative) {
@@ -118,7 +125,7 @@ LeadingError<Scalar> leading_error(const Stencil<Scalar>& of, int derivative) {
     using std::abs, std::sqrt;
     const Scalar negligible = sqrt(std::numeric_limits<Scalar>::epsilon());
     for (int k = 1; k <= 12; ++k) {
-        const Scalar size = moment(Stencil<Scalar>{of.r.abs(), of.w.abs()}, k);
+        const Scalar size = absolute_moment(of, k);
         const Scalar coefficient = taylor_coefficient(of, k, derivative);
         if (abs(coefficient) > negligible * (size > 1 ? Scalar(1) : size))
             return {k - derivative, coefficient};

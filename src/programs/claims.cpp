@@ -121,12 +121,14 @@ int main(int argc, char** argv) {
                    "compute nothing")
         .type_name("FILE");
     return programs::run(app, argc, argv, [&] {
+        std::string counts;
         for (const std::string& file : decided) {
             const std::string paper = std::filesystem::absolute(file).parent_path().filename().string();
-            std::cout << (decided.size() > 1 ? paper + ": " : "") << summary(report::read_table(file))
-                      << "\n";
+            counts += (decided.size() > 1 ? paper + ": " : "") + summary(report::read_table(file)) + "\n";
         }
+        std::cout << counts;
         if (!decided.empty()) return 0;
+        report::check_writable(output);
         const auto papers = report::papers(report::parsed_words(report::read_whole("paper/papers.csv")));
         const Paper& paper = report::paper_named(folder, papers);
         const auto claims = report::by_paper(report::read_table(ledger), papers);

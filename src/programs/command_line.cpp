@@ -105,10 +105,12 @@ std::optional<int> CommandLine::read(int argc, char** argv) {
 
 namespace {
 
-/// A message with what would break its line, or colour a terminal, shown as ?.
+/// A message with what would break its line, or colour a terminal, shown as ?, and without the middle of what would fill a screen.
 std::string on_one_line(std::string text) {
     for (char& letter : text)
         if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
+    constexpr std::size_t first = 400, last = 200;
+    if (text.size() > 2 * (first + last)) text.replace(first, text.size() - first - last, " ... ");
     return text;
 }
 

@@ -122,7 +122,8 @@ void check_plot(const Figure& figure, const std::string& folder) {
     const std::string script = folder + "/figures/" + figure.script;
     if (!std::filesystem::exists(script))
         throw FailedComputation("--plot needs " + script + " of the source tree, which is not there");
-    if (std::filesystem::is_directory(path))
+    std::error_code none;
+    if (std::filesystem::is_directory(path, none))
         throw FailedComputation("cannot write " + path + ": it is a folder");
     const std::string beside = std::filesystem::absolute(path).parent_path().string();
     if (access(beside.c_str(), W_OK | X_OK) != 0)

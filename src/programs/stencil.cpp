@@ -53,10 +53,7 @@ std::vector<std::string> terms(const limit_stencils::Stencil<double>& of, int de
         // Row sums vanish by construction: weights stand on differences.
         const double moment = k == 0 ? 0 : limit_stencils::moment(of, k) / factorial;
         const double wanted = k == derivative ? 1 : 0;
-        const double size =
-            k == 0 ? 1
-                   : limit_stencils::moment(limit_stencils::Stencil<double>{of.r.abs(), of.w.abs()}, k) /
-                         factorial;
+        const double size = k == 0 ? 1 : limit_stencils::absolute_moment(of, k) / factorial;
         const bool right = std::abs(moment - wanted) <= 1e-10 * std::max(size, 1.0);
         lines.push_back(name + ", moment " + std::to_string(k) + " / " + std::to_string(k) +
                         "!: " + shown(moment) +

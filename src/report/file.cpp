@@ -79,13 +79,11 @@ Uninterrupted::~Uninterrupted() {
 void check_writable(const std::string& path) {
     if (path.empty()) return;
     const Target target = target_of(path);
-    errno = std::filesystem::is_directory(target.path) ? EISDIR : 0;
+    std::error_code reason;
+    errno = std::filesystem::is_directory(target.path, reason) ? EISDIR : reason.value();
+    if (errno == ENOENT) errno = 0;  // it is to be made
     if (errno != 0 || (target.exists && access(target.path.c_str(), W_OK) != 0)) fail("write", path);
     const auto folder = std::filesystem::absolute(target.path).parent_path();
-    if (target.replaceable && std::filesystem::exists(folder) && !std::filesystem::is_directory(folder)) {
-        errno = ENOTDIR;
-        fail("write", path);
-    }
     if (target.replaceable && access(folder.c_str(), W_OK | X_OK) != 0) fail("write", path);
 }
 

@@ -21,11 +21,15 @@ struct Outcome {
 
 using support::Folder;
 
+/// The folder of the programs and of the test runner.
+inline std::string bin() {
+    return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
+}
+
 /// \param command a program's name and its options
 inline Outcome run(const std::string& command) {
     const Folder folder;
-    const std::string bin = std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
-    const std::string line = "PATH='" + bin + "':$PATH; " + command + " >'" + folder.path + "/output' 2>'" +
+    const std::string line = "PATH='" + bin() + "':$PATH; " + command + " >'" + folder.path + "/output' 2>'" +
                              folder.path + "/errors'";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, report::read_whole(folder.path + "/output"),
@@ -33,9 +37,11 @@ inline Outcome run(const std::string& command) {
 }
 
 /// A failure as users should see it: this exit code, one line on standard error that names the program, no output.
-inline void check_refused(const std::string& command, int code, const std::string& reason) {
+/// \param by what runs the command, where it is not the shell
+inline void check_refused(const std::string& command, int code, const std::string& reason,
+                          const std::string& by = "") {
     CAPTURE(command);
-    const Outcome outcome = run(command);
+    const Outcome outcome = run(by + command);
     const std::string& errors = outcome.errors;
     CAPTURE(errors);
     CHECK(outcome.code == code);

@@ -85,7 +85,8 @@ TEST_CASE("file: what could not be written in the end is known before") {
     CHECK_NOTHROW(report::check_writable("/dev/null"));
     report::write_whole(path, "kept");
     CHECK_NOTHROW(report::check_writable(path));
-    for (const std::string& bad : {folder.path, folder.path + "/none/file.csv", path + "/file.csv"})
+    for (const std::string& bad : {folder.path, folder.path + "/none/file.csv", path + "/file.csv",
+                                   folder.path + "/" + std::string(300, 'x')})
         CHECK_THROWS_WITH_AS(report::check_writable(bad),
                              doctest::Contains(("cannot write " + bad + ": ").c_str()),
                              particles::FailedComputation);
