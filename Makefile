@@ -49,7 +49,7 @@ PACKAGES += $(if $(goals),$(if $(filter doc check-doc,$(goals)),$(for_doc)),$(fo
 PACKAGES += $(if $(goals),$(if $(filter check-doc,$(goals)),$(for_check_doc)),$(for_check_doc))
 PACKAGES += $(if $(filter bench,$(goals)),$(for_bench))
 PACKAGES += $(if $(filter fuzz,$(goals)),$(for_fuzz))
-PACKAGES += $(if $(findstring clang,$(CXX))$(filter mutants,$(goals)),$(for_clang))
+PACKAGES += $(if $(findstring clang,$(CXX))$(filter mutants compilers,$(goals)),$(for_clang))
 PACKAGES += $(if $(SANITIZE),libclang-rt-14-dev)
 PACKAGES += $(if $(filter lint,$(goals)),$(for_lint))
 PACKAGES += $(if $(filter coverage,$(goals)),$(for_coverage))
@@ -111,7 +111,7 @@ ledger := $(filter %/claims.csv %/choices.csv,$(tables))
 data := $(filter-out $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
 
-.PHONY: help setup build data timings bench figures check check-interrupts check-environments valgrind fresh fuzz mutants lint coverage claims doc check-doc verify install examples clean
+.PHONY: help setup build data timings bench figures check check-interrupts check-environments valgrind compilers fresh fuzz mutants lint coverage claims doc check-doc verify install examples clean
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
@@ -174,6 +174,9 @@ check-environments: build ## try a decimal comma, a path with blanks, a tree tha
 
 valgrind: build ## run each program once under valgrind
 	@bash tests/valgrind $(BUILD)
+
+compilers: ## compute all data with other compilers and flags, in copies of the last commit, and compare them with the committed
+	@bash tests/compilers
 
 fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
 	@bash tests/fresh

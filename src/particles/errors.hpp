@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error \
     "-ffast-math takes away infinity and NaN, by which what cannot be computed is found; compile without it"
 #endif
