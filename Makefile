@@ -7,7 +7,9 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := help
+ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=$(shell nproc) --output-sync=target
+endif
 
 BUILD ?= build
 CXX ?= g++
@@ -246,7 +248,7 @@ verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare
 	        sed "s|$(BUILD)/verify/committed.csv|$$table|" || failed=1
 	done
 	for figure in $(figures); do
-	    if head -n 1 "$$figure" | grep -q '<?xml' && tail -n 2 "$$figure" | grep -qx '</svg>'; then echo "$$figure: whole"
+	    if $(call whole_svg,$$figure); then echo "$$figure: whole"
 	    else echo "$$figure: missing or not whole"; failed=1; fi
 	done
 	git show HEAD:README.md > $(BUILD)/verify/README.md
@@ -368,7 +370,8 @@ data/BUILD-INFO.txt: $(sort $(foreach table,$(data),$(call program_of,$(table)))
 	} > $@.tmp.txt
 	mv $@.tmp.txt $@
 
-# Figures: gnuplot's complaints count as failures, and a failure leaves no file.
+# Figures: gnuplot's complaints count as failures, and a failure leaves no file. Of a full disk it says nothing.
+whole_svg = { head -n 1 "$(1)" | grep -q '<?xml' && tail -n 2 "$(1)" | grep -qx '</svg>'; }
 $(foreach paper,$(papers),$(eval $(filter figures/$(paper)/%,$(figures)): $(filter data/$(paper)/%,$(data))))
 figures/%.svg: figures/%.gp figures/style.gp
 	@log=$(BUILD)/log/$*.gnuplot
@@ -378,6 +381,7 @@ figures/%.svg: figures/%.gp figures/style.gp
 	    cat $$log >&2
 	    exit 1
 	fi
+	if ! $(call whole_svg,$@.tmp.svg); then echo "$@: gnuplot left it unfinished; is the disk full?" >&2; exit 1; fi
 	mv $@.tmp.svg $@
 	echo "$@"
 

@@ -180,7 +180,10 @@ void plot(const Figure& figure, const report::Table& table) {
     if (code != 0 || !complaints.empty())
         throw FailedComputation("cannot draw " + path + ": gnuplot ended with code " + std::to_string(code) +
                                 " and said: " + on_one_line(complaints));
-    report::write_whole(path, report::read_whole(drawing.path));
+    const std::string svg = report::read_whole(drawing.path);
+    if (svg.find("\n</svg>\n") == std::string::npos)  // of a full disk gnuplot says nothing
+        throw FailedComputation("cannot draw " + path + ": gnuplot left it unfinished; is the disk full?");
+    report::write_whole(path, svg);
 }
 
 }  // namespace programs

@@ -107,6 +107,15 @@ TEST_CASE("plot: what cannot be drawn or written is refused before anything is c
         doctest::Contains("/nowhere/figures/a/figure_1.gp"), particles::FailedComputation);
 }
 
+TEST_CASE("plot: a drawing that the disk has no room for is no figure") {
+    const Folder folder;
+    // No file may grow beyond 20 kB, and who tries hears of an error, not of a signal: to gnuplot, a full disk.
+    check_refused(
+        "derivative_test --particles 20,40 --output /dev/null --plot " + folder.path + "/figure.svg", 1,
+        "gnuplot left it unfinished; is the disk full?", "trap '' XFSZ; ulimit -f 40; ");
+    CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("plot: gnuplot that is missing or complains is an error, and leaves nothing behind") {
     const Folder folder;
     const std::string file = folder.path + "/figure.svg";
