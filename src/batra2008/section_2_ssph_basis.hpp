@@ -332,15 +332,15 @@ class Basis {
 
     /// The derivative of a row of K with respect to the place, exactly; h stays. From \f$C\,K = D\f$ follows
     /// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values alone. H changes by
-    /// H S with some matrix S: in D and in the right factor of C that is the same change, and cancels.
+    /// H S with a matrix S: in D and in the right factor of C that is the same change, and cancels; the left factor leaves a row of S.
     /// \return weights [1/length to the order of the derivative + 1]
     [[nodiscard]] Column<Scalar> differentiated(Index I, int axis) const {
         const Column<Scalar>& W = near_.W;
         const Column<Scalar> dW = 2 * near_.s.col(axis) * (W + near_.edge);
         const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I));
         const Column<Scalar> p = sum(a);
-        const Vector<Scalar> dC_a = shifted(H_.matrix().transpose().lazyProduct((W * p).matrix()), axis) +
-                                    H_.matrix().transpose().lazyProduct((dW * p).matrix());
+        const Vector<Scalar> dC_a =
+            row_of_S(I, axis) + H_.matrix().transpose().lazyProduct((dW * p).matrix());
         return (dW * p - W * sum(factors_.solve(dC_a))) / (unit(I) * h_);
     }
 
@@ -367,15 +367,14 @@ class Basis {
         return power;
     }
 
-    /// \f$\partial H^T w\f$ from \f$v = H^T w\f$, in units of h: with the place a monomial of the offset changes by minus its exponent
-    /// times the lower monomial.
-    [[nodiscard]] static Vector<Scalar> shifted(const Vector<Scalar>& v, int axis) {
-        Vector<Scalar> b = Vector<Scalar>::Zero(n);
+    /// Row I of S in \f$\partial H = H S\f$, in units of h: with the place a monomial of the offset changes by minus its exponent times
+    /// the monomial with one factor less.
+    [[nodiscard]] static Vector<Scalar> row_of_S(Index I, int axis) {
+        Vector<Scalar> row = Vector<Scalar>::Zero(n);
         for (int k = 1; k < n; ++k)
-            if (const int lower = lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)];
-                lower >= 0)
-                b[k] = -exponent(k, axis) * v[lower];
-        return b;
+            if (lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)] == I)
+                row[k] = -exponent(k, axis);
+        return row;
     }
     static constexpr int exponent(int monomial, int axis) {
         return monomials<dim, m>()[static_cast<std::size_t>(monomial)][static_cast<std::size_t>(axis)];

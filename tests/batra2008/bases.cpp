@@ -15,13 +15,13 @@ Bases of(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place
     all.particle = basis.particle();
     const auto count = static_cast<Index>(all.particle.size());
     all.K.resize(count, basis.n);
-    all.slopes.resize(count, dim);
     for (const auto& exponents : ssph_basis::monomials<dim, m>()) {
         const auto I = static_cast<Index>(all.exponents.size());
         all.exponents.push_back(powers(exponents));
         all.K.col(I) = basis.K(I);
+        all.slopes.emplace_back(count, dim);
+        for (int axis = 0; axis < dim; ++axis) all.slopes.back().col(axis) = basis.differentiated(I, axis);
     }
-    for (int axis = 0; axis < dim; ++axis) all.slopes.col(axis) = basis.differentiated(0, axis);
     return all;
 }
 
