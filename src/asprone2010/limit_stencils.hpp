@@ -135,14 +135,14 @@ LeadingError<Scalar> leading_error(const Stencil<Scalar>& of, int derivative) {
 }
 
 /// Number of particles, at spacing δ, that a kernel reaches on one side.
-/// \throws particles::InvalidInput unless that is positive and at most 1000: stencils cost its third power
+/// \throws particles::InvalidInput unless that is positive and at most 100: stencils cost its third power
 template <class Scalar>
 Index reach_in_spacings(const numerical_tests::Discretisation& how) {
     const double reach = std::ceil(support<double>(how.kernel) * how.smoothing);
-    if (!(reach > 0 && reach <= 1000))
+    if (!(reach > 0 && reach <= 100))
         throw particles::InvalidInput("h/delta of " + particles::shown(how.smoothing) +
                                       " gives stencils that reach over " + particles::shown(reach) +
-                                      " spacings, not over 1 to 1000; take another --smoothing");
+                                      " spacings, not over 1 to 100; take another --smoothing");
     return static_cast<Index>(reach);
 }
 

@@ -69,6 +69,11 @@ inline double exact_frequency(Index n) {
     return std::numbers::pi * static_cast<double>(n);
 }
 
+/// Order of frequencies: by the real part, then by the imaginary part.
+inline bool lower(const std::complex<double>& a, const std::complex<double>& b) {
+    return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
+}
+
 /// The discrete problem: frequencies \f$\omega_n = \sqrt{-\lambda_n}\f$ of the eigenvalues λ of K. \defeq{A52}
 /// \f[ \mathbf{K}\mathbf{x} + \omega^2\mathbf{x} = 0 \tag{52} \f]
 /// \return by increasing real part, then imaginary part
@@ -76,9 +81,7 @@ inline double exact_frequency(Index n) {
 inline std::vector<std::complex<double>> frequencies(const Eigen::MatrixXd& K) {
     std::vector<std::complex<double>> omega;
     for (const std::complex<double>& lambda : solvers::eigenvalues(K)) omega.push_back(std::sqrt(-lambda));
-    std::sort(omega.begin(), omega.end(), [](const auto& a, const auto& b) {
-        return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
-    });
+    std::sort(omega.begin(), omega.end(), lower);
     return omega;
 }
 
@@ -99,9 +102,9 @@ struct Mode {
 ///
 /// Shapes are those of \f$\mathbf{K}^{-1}\f$ with the largest eigenvalues θ. A product with K carries round-off of the size of
 /// \f$\varepsilon/\delta^2\f$, so that \f$\theta = \mathbf{x}\cdot\mathbf{K}^{-1}\mathbf{x}\f$ gives the frequency, by a solution that is corrected
-/// as in the static test.
+/// as in the static test. Lowest are those of least |ω|: of those whose frequency is not real, others may have a lower real part.
 /// \param D2 second derivative at N particles \param count of modes, at most N − 4
-/// \return in increasing order of the real part
+/// \return by increasing real part, then imaginary part
 /// \throws particles::FailedComputation where K is singular or the iteration does not converge
 inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
     const Index inner = D2.rows() - 2;
@@ -124,11 +127,12 @@ inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
         inverse_x.real() = inverse(x.real(), nearly.real()).matrix();
         inverse_x.imag() = inverse(x.imag(), nearly.imag()).matrix();
         const std::complex<double> theta = x.dot(inverse_x);
-        modes[static_cast<std::size_t>(k)] = {std::sqrt(-1.0 / theta),
+        const std::complex<double> lambda = 1.0 / theta;
+        modes[static_cast<std::size_t>(k)] = {std::sqrt(-lambda),
                                               (inverse_x - theta * x).norm() / std::abs(theta)};
     });
     std::sort(modes.begin(), modes.end(),
-              [](const Mode& a, const Mode& b) { return a.frequency.real() < b.frequency.real(); });
+              [](const Mode& a, const Mode& b) { return lower(a.frequency, b.frequency); });
     return modes;
 }
 

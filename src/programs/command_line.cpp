@@ -1,16 +1,26 @@
 #include "programs/command_line.hpp"
 
 #include <gsl/gsl_errno.h>
+#include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <type_traits>
 
 #include "particles/errors.hpp"
 #include "solvers/blas_threads.hpp"
 
 namespace programs {
+
+namespace {
+
+constexpr int most_threads = 1024;
+
+}  // namespace
 
 CommandLine::CommandLine(const std::string& about, const std::string& name, const std::string& examples)
     : app_(std::make_unique<CLI::App>(about, name)) {
@@ -45,9 +55,23 @@ CommandLine::Option& CommandLine::Option::required() {
     return *this;
 }
 
+namespace {
+
+/// What CLI11 would read as octal, hexadecimal or binary: a whole number with a zero before its digits.
+std::string in_decimal(const std::string& text) {
+    const std::size_t first = text.find_first_not_of("+-");
+    if (first == std::string::npos || text[first] != '0' || first + 1 == text.size()) return {};
+    return text + " begins with 0; write it in decimal";
+}
+
+}  // namespace
+
 template <class Value>
 CommandLine::Option CommandLine::add_option(const std::string& name, Value& value, const std::string& about) {
-    return Option(app_->add_option(name, value, about));
+    CLI::Option* const option = app_->add_option(name, value, about);
+    if constexpr (std::is_integral_v<Value> || std::is_same_v<Value, std::vector<long>>)
+        option->check(in_decimal);
+    return Option(option);
 }
 template CommandLine::Option CommandLine::add_option(const std::string&, std::string&, const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, double&, const std::string&);
@@ -68,7 +92,9 @@ CommandLine::Option CommandLine::add_flag(const std::string& name, bool& value, 
 }
 
 void CommandLine::add_threads(int& threads) {
-    add_option("--threads", threads, "how many threads (default: all)").type_name("T").within(1, 1024);
+    add_option("--threads", threads, "how many threads (default: all)")
+        .type_name("T")
+        .within(1, most_threads);
 }
 void CommandLine::add_output(std::string& file) {
     add_option("--output", file, "CSV file to write (default: standard output)").type_name("FILE");
@@ -122,6 +148,8 @@ int run(CommandLine& app, int argc, char** argv, const std::function<int()>& bod
         return code;
     };
     try {
+        std::signal(SIGXFSZ, SIG_IGN);  // what is too large for the user's limit is an error like a full disk
+        omp_set_num_threads(std::min(omp_get_max_threads(), most_threads));
         const std::optional<int> asked = app.read(argc, argv);
         gsl_set_error_handler_off();
         solvers::use_one_blas_thread();

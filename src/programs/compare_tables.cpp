@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
         }
         const report::Move most = report::largest_move(expected, computed);
         std::cout << "all within tolerance; ";
-        if (most.share == 0)
+        if (most.by == 0)
             std::cout << "no number moved\n";
         else
             std::cout << "most moved row " << most.row + 1 << ", " << most.column << ", by "

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "programs/options.hpp"
 #include "programs/room.hpp"
 #include "report/file.hpp"
 
@@ -47,8 +48,11 @@ std::vector<double> expanded(const std::string& option, const std::string& part)
         throw InvalidInput(option + ": '" + part + "' is no range from:step:to of at most 10000 steps");
     std::vector<double> all;
     const auto steps = std::lround(std::floor((ends[2] - ends[0]) / ends[1] * (1 + 1e-12) + 1e-9));
-    for (long k = 0; k <= steps; ++k)  // rounded, so that 2:0.1:4 says 2.3 and not 2.3000000000000003
-        all.push_back(std::round((ends[0] + static_cast<double>(k) * ends[1]) * 1e12) / 1e12);
+    const double digits = std::pow(10, 9 - std::floor(std::log10(ends[1])));
+    for (long k = 0; k <= steps; ++k) {  // rounded, so that 2:0.1:4 says 2.3 and not 2.3000000000000003
+        const double number = ends[0] + static_cast<double>(k) * ends[1];
+        all.push_back(std::abs(number) * digits < 1e15 ? std::round(number * digits) / digits : number);
+    }
     return all;
 }
 
@@ -148,6 +152,9 @@ void check_states(double places) {
 std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                const std::function<double(const elastostatics::Material&)>& penalty) {
     using example_problems::Method;
+    if (options.seconds && !options.states.empty())
+        throw InvalidInput("--seconds stand beside errors; leave --states out");
+    check_apart({{"--output", options.output}, {"--field", options.field}});
     std::vector<Method> methods{Method::strong, Method::weak1, Method::weak2};
     if (options.methods != std::vector<std::string>{"all"}) {
         methods.clear();

@@ -152,6 +152,9 @@ int main(int argc, char** argv) {
         if (!figure.path.empty()) check_drawable(options, cases, layouts.size() * all_radii.size() * draws);
         double rho = cases.front().how.scaling;
         for (const programs::ExampleCase& of : cases) rho = std::min(rho, of.how.scaling);
+        programs::check_apart({{"--plot", figure.path}, {"--field", options.field}});
+        for (const std::string& layout : layouts)
+            programs::check_apart({{"--layout", layout}, {"--output", options.output}});
         programs::FieldFile field(options.field, cases);
         report::Table table;
         table.comments = {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -151,8 +153,9 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
     if (wanted == std::vector<std::string>{"all"}) wanted = known;
     for (const std::string& name : wanted)
         if (std::find(known.begin(), known.end(), name) == known.end())
-            throw InvalidInput("there is no formulation '" + name + "'; choose all or some of " +
-                               joined(known));
+            throw InvalidInput(name == "all" ? "--formulation all takes no other beside it"
+                                             : "there is no formulation '" + name +
+                                                   "'; choose all or some of " + joined(known));
 
     const auto moved = [](double a) { return a != 0; };
     if (options.seeds > 1 && std::none_of(options.perturbations.begin(), options.perturbations.end(), moved))
@@ -169,8 +172,11 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
     const double count = static_cast<double>(wanted.size() * options.particles.size()) *
                          static_cast<double>(options.perturbations.size()) *
                          static_cast<double>(options.seeds);
-    check_room(particles::shown(count) + " cases", count * (sizeof(Case) + sizeof(std::vector<Cell>)),
-               "take fewer --seeds, --particles or perturbations");
+    constexpr double cells = 12;  // of a row, and of what was computed for it, at least
+    check_room(
+        particles::shown(count) + " cases",
+        count * (sizeof(Case) + sizeof(std::vector<Cell>) + (options.median ? 4 : cells) * sizeof(Cell)),
+        "take fewer --seeds, --particles or perturbations");
 
     std::vector<Case> all;
     for (const std::string& formulation : wanted)
@@ -250,10 +256,25 @@ std::vector<std::string> described(const Options& options) {
     return comments;
 }
 
+void check_apart(const std::vector<std::pair<std::string, std::string>>& files) {
+    std::error_code none;
+    for (std::size_t a = 0; a < files.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const auto& [option, file] = files[a];
+            const auto& [other_option, other_file] = files[b];
+            if (file.empty() || other_file.empty() || std::filesystem::is_other(file, none)) continue;
+            if (std::filesystem::weakly_canonical(file, none) ==
+                std::filesystem::weakly_canonical(other_file, none))
+                throw InvalidInput(option + " and " + other_option + " name the same file, " + file +
+                                   "; choose another for one of them");
+        }
+}
+
 int run(CommandLine& app, int argc, char** argv, const int& threads, const std::string& output,
         const Figure& figure, const std::function<report::Table()>& compute) {
     return run(app, argc, argv, [&] {
         const bool drawn = !figure.path.empty();
+        check_apart({{"--output", output}, {"--plot", figure.path}});
         report::check_writable(output);
         if (drawn) check_plot(figure);
         if (threads > 0) omp_set_num_threads(threads);
@@ -269,10 +290,12 @@ int run(CommandLine& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute) {
     return run(app, argc, argv, options.threads, options.output, options.figure, [&] {
         if (!options.figure.path.empty() && options.seeds > 1 && !options.median)
-            throw InvalidInput("--plot draws one line of particles for each N; take --median or one seed");
+            throw InvalidInput("--plot draws one line of particles for each N; take one seed" +
+                               std::string(app.name() == "vibration_test" ? "" : ", or --median"));
         if (!options.figure.path.empty() && options.perturbations.size() > 2)
             throw InvalidInput("--plot draws at most two perturbations, such as 0,0.25");
         if (options.positions_file) {
+            check_apart({{"--output", options.output}, {"--positions", *options.positions_file}});
             options.positions = read_positions(*options.positions_file);
             options.particles = {static_cast<long>(options.positions.size())};
         }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
@@ -100,6 +101,10 @@ std::vector<std::string> described(const Options& options);
 /// of so many that cannot be held
 /// \param reach of the kernel, in spacings \param scalar bytes of a number
 void check_line(long N, double reach, std::size_t scalar = sizeof(double));
+
+/// Options with the files that they name, none of which may be another's: neither may be lost. A device may be.
+/// \throws particles::InvalidInput for two that are the same
+void check_apart(const std::vector<std::pair<std::string, std::string>>& files);
 
 /// The body of main for a table: options are read, the table is computed and written.
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error

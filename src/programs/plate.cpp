@@ -64,7 +64,8 @@ void check_drawable(const programs::ExampleOptions& options, const std::vector<p
     const bool one_curve = std::all_of(rows.begin(), rows.end(), [&](const auto& method_and_scaling) {
         return method_and_scaling.second == (scaled ? 1 : grids);
     });
-    if (!options.states.empty() || !one_curve)
+    const bool one_scaling = scaled && rows.begin()->first.second == std::prev(rows.end())->first.second;
+    if (!options.states.empty() || !one_curve || one_scaling)
         throw particles::InvalidInput(
             "--plot draws errors: against several --particles (as Figure 12) or against several --scaling "
             "(as Figure 9), all else being one value, without --states");
@@ -136,6 +137,7 @@ int main(int argc, char** argv) {
         const auto cases = programs::cases(options, plate::E, plate::penalty);
         const std::vector<plate::Corners> choices = choices_of(corners);
         if (!figure.path.empty()) check_drawable(options, cases, grids.size(), choices.size());
+        programs::check_apart({{"--plot", figure.path}, {"--field", options.field}});
         programs::FieldFile field(options.field, cases);
         report::Table table;
         table.comments = {

@@ -49,11 +49,12 @@ std::string on_one_line(const std::string& text) {
     return line;
 }
 
-/// The environment, but with the locale of the figures in the repository.
+/// The environment, but with the locale of the figures in the repository, and without a terminal of the user's.
 std::vector<std::string> environment() {
     std::vector<std::string> all{"LC_ALL=C.UTF-8"};
     for (char** entry = environ; *entry != nullptr; ++entry)
-        if (!std::string_view(*entry).starts_with("LC_ALL=")) all.emplace_back(*entry);
+        if (const std::string_view of(*entry); !of.starts_with("LC_ALL=") && !of.starts_with("GNUTERM="))
+            all.emplace_back(*entry);
     return all;
 }
 

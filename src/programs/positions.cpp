@@ -23,7 +23,11 @@ std::string_view first_entry(std::string_view line) {
     return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// A name, and not what stands for no number or an infinite one.
 bool starts_header(std::string_view entry) {
+    double number = 0;
+    if (std::from_chars(entry.data(), entry.data() + entry.size(), number).ptr == entry.data() + entry.size())
+        return false;
     const char letter = entry.front();
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
            letter == '"';

@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
     long lowest = 0;
     app.add_option(
            "--lowest", lowest,
-           "only so many of the lowest modes, with their residuals: for long lines (default: all modes)")
+           "only so many modes, those of least |omega|, with their residuals: for long lines (default: all "
+           "modes)")
         .type_name("K")
         .within(1, 100);
 
@@ -64,10 +65,9 @@ int main(int argc, char** argv) {
             throw particles::InvalidInput(
                 "--plot draws one spectrum for each formulation; take one number of particles and one "
                 "perturbation");
-        for (const long N :
-             lowest > 0 ? std::vector<long>{} : options.particles)  // D² and the stiffness, both full
+        for (const long N : lowest > 0 ? std::vector<long>{} : options.particles)  // up to four full matrices
             programs::check_room("the eigenvalues on " + std::to_string(N) + " particles",
-                                 2 * sizeof(double) * static_cast<double>(N) * static_cast<double>(N),
+                                 4 * sizeof(double) * static_cast<double>(N) * static_cast<double>(N),
                                  "take fewer particles");
         if (options.perturbations == std::vector<double>{0} && options.positions.size() == 0)
             options.figure.told["lattice"] = "yes";

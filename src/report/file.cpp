@@ -1,15 +1,18 @@
 #include "report/file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -27,19 +30,40 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
                                        std::strerror(errno));
 }
 
-/// The file that a path leads to, and whether one can take its place: a link keeps pointing where it points, and what is no
-/// regular file (a pipe, a device) cannot be replaced by one.
+/// The number of an open file that a path stands for, such as /dev/stdout or /dev/fd/3. It is written to as it is open: a file behind
+/// it keeps what it holds.
+std::optional<int> descriptor_of(const std::string& path) {
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!path.starts_with(folder)) continue;
+        const std::string number = path.substr(folder.size());
+        int descriptor = -1;
+        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+        if (error == std::errc() && end == number.data() + number.size()) return descriptor;
+    }
+    return {};
+}
+
+/// The file that a path leads to, and whether one can take its place: a link keeps pointing where it points, be anything there or
+/// not, and what is no regular file (a pipe, a device) cannot be replaced by one.
 struct Target {
     std::string path;
+    std::optional<int> descriptor;
     bool exists, replaceable;
+    std::filesystem::perms permissions;
 };
 
 Target target_of(const std::string& path) {
     std::error_code none;
-    const std::filesystem::file_status status = std::filesystem::status(path, none);
+    std::filesystem::path end = path;
+    constexpr int most_links = 40;  // as the system follows
+    for (int k = 0; k < most_links && !descriptor_of(end) && std::filesystem::is_symlink(end, none); ++k)
+        end = end.parent_path() / std::filesystem::read_symlink(end, none);
+    const std::filesystem::file_status status = std::filesystem::status(end, none);
     const bool exists = std::filesystem::exists(status);
-    return {exists ? std::filesystem::canonical(path, none).string() : path, exists,
-            !exists || std::filesystem::is_regular_file(status)};
+    return {end.string(), descriptor_of(end), exists, !exists || std::filesystem::is_regular_file(status),
+            status.permissions()};
 }
 
 constexpr std::size_t most_bytes = std::size_t(1) << 30U;  // of a text that is read: /dev/zero has no end
@@ -79,6 +103,12 @@ Uninterrupted::~Uninterrupted() {
 void check_writable(const std::string& path) {
     if (path.empty()) return;
     const Target target = target_of(path);
+    if (target.descriptor) {
+        const int flags = fcntl(*target.descriptor, F_GETFL);
+        if (flags != -1 && (flags & O_ACCMODE) != O_RDONLY) return;
+        errno = EBADF;
+        fail("write", path);
+    }
     std::error_code reason;
     errno = std::filesystem::is_directory(target.path, reason) ? EISDIR : reason.value();
     if (errno == ENOENT) errno = 0;  // it is to be made
@@ -93,12 +123,15 @@ void write_whole(const std::string& path, const std::string& text) {
         return;
     }
     check_writable(path);
-    const auto [target, exists, whole] = target_of(path);
+    const auto [target, descriptor, exists, replaceable, permissions] = target_of(path);
+    const bool whole = replaceable && !descriptor;
     const std::string temporary = whole ? target + ".tmp." + std::to_string(getpid()) : target;
     std::optional<Uninterrupted> uninterrupted;
     if (whole) uninterrupted.emplace();
-    File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
+    File file(descriptor ? fdopen(dup(*descriptor), "wb") : std::fopen(temporary.c_str(), "wb"), std::fclose);
     if (!file) fail("write", path);
+    std::error_code none;
+    if (whole && exists) std::filesystem::permissions(temporary, permissions, none);
     const bool written = put(file.get(), text) && std::fclose(file.release()) == 0;
     if (!whole) {
         if (!written) fail("write", path);

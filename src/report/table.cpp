@@ -179,16 +179,22 @@ std::vector<std::string> differences(const Table& committed, const Table& regene
     std::vector<std::string> found;
     const auto names = [](const Table& table) {
         std::string joined;
-        for (const ColumnHead& column : table.columns) joined += column.name + " ";
+        for (const ColumnHead& column : table.columns)
+            joined += (joined.empty() ? "" : ",") + quoted(column.name);
         return joined;
     };
     if (committed.comments != regenerated.comments)
         found.emplace_back("the comments, which say what was computed");
     if (names(committed) != names(regenerated))
-        return {"columns: " + names(committed) + "!= " + names(regenerated)};
+        return {"columns: " + names(committed) + " != " + names(regenerated)};
     if (committed.rows.size() != regenerated.rows.size())
         return {"rows: " + std::to_string(committed.rows.size()) +
                 " != " + std::to_string(regenerated.rows.size())};
+    for (std::size_t k = 0; k < committed.columns.size(); ++k) {
+        const Tolerance &a = committed.columns[k].tolerance, &b = regenerated.columns[k].tolerance;
+        if (a.relative != b.relative || a.absolute != b.absolute)
+            found.push_back("the tolerance of " + committed.columns[k].name);
+    }
     for (std::size_t row = 0; row < committed.rows.size(); ++row)
         for (std::size_t k = 0; k < committed.columns.size(); ++k) {
             const Cell& a = committed.rows[row][k];
@@ -209,7 +215,8 @@ Move largest_move(const Table& committed, const Table& regenerated) {
             const auto* y = std::get_if<double>(&regenerated.rows[row][k]);
             if (!x || !y || *x == *y) continue;
             const double by = std::abs(*x - *y), share = by / allowed(*x, *y, committed.columns[k].tolerance);
-            if (share > largest.share) largest = {row, committed.columns[k].name, by, share};
+            if (largest.by == 0 || share > largest.share)
+                largest = {row, committed.columns[k].name, by, share};
         }
     return largest;
 }

@@ -56,8 +56,8 @@ std::vector<std::string> differences(const Table& committed, const Table& regene
 struct Move {
     std::size_t row = 0;
     std::string column;
-    double by = 0;     ///< the difference's absolute value
-    double share = 0;  ///< of the difference that the tolerance allows; zero if nothing moved
+    double by = 0;     ///< the difference's absolute value; zero if nothing moved
+    double share = 0;  ///< of the difference that the tolerance allows
 };
 
 /// Of two tables of the same columns and as many rows, the number that moved most against what its tolerance allows.

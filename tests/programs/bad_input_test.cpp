@@ -105,6 +105,10 @@ TEST_CASE("bad input: numbers of particles that are none, too few, or more than 
         {"derivative_test", "--particles nan", 2, "--particles = nan"},
         {"derivative_test", "--particles inf", 2, "--particles = inf"},
         {"derivative_test", "--particles ''", 2, "--particles is empty; give it a value or leave it out"},
+        {"derivative_test", "--particles 40,020", 2, "--particles: 020 begins with 0; write it in decimal"},
+        {"derivative_test", "--particles 0x20", 2, "0x20 begins with 0; write it in decimal"},
+        {"stencil", "--formulation fpm --particle 007", 2, "007 begins with 0"},
+        {"static_test", "--corrections 012", 2, "012 begins with 0"},
         {"derivative_test", "--particles 999999999999", 2, "which holds at most 2147483647; take fewer"},
         {"derivative_test", "--particles 99999999999999999999", 2, "take fewer particles"},
         {"derivative_test", "--particles 100000000", 2, "take fewer particles"},
@@ -154,6 +158,11 @@ TEST_CASE("bad input: smoothing lengths, perturbations and other numbers beyond 
         {"constants", "--smoothing 0", 2, "take another --smoothing"},
         {"constants", "--smoothing nan", 2, "take another --smoothing"},
         {"constants", "--smoothing 1e300", 2, "take another --smoothing"},
+        {"constants", "--smoothing 30", 2, "not over 1 to 100; take another --smoothing"},
+        {"static_test", "--formulation fpm --particles 40 --smoothing 20", 1,
+         "is singular (reciprocal condition"},
+        {"static_test", "--formulation fpm --particles 40 --smoothing 20 --precision long", 1, "is singular"},
+        {"static_test", "--formulation fpm --particles 40 --smoothing 20 --precision quad", 1, "is singular"},
         {"derivative_test", "--perturb 0.5", 2, "take 0 <= a < 0.5"},
         {"derivative_test", "--perturb -1", 2, "take 0 <= a < 0.5"},
         {"derivative_test", "--perturb nan", 2, "take 0 <= a < 0.5"},
@@ -198,6 +207,10 @@ TEST_CASE("bad input: names that nothing has, options that are missing a value o
         {"derivative_test", "--formulation ''", 2, "--formulation is empty"},
         {"derivative_test", "--formulation", 2, "see derivative_test --help"},
         {"derivative_test", "--formulation ,", 2, "see derivative_test --help"},
+        {"derivative_test", "--formulation all,fpm", 2, "--formulation all takes no other beside it"},
+        {"vibration_test", "--perturb 0.1 --seeds 2 --plot /tmp/a.svg", 2, "for each N; take one seed"},
+        {"plate", "--seconds --states bottom", 2, "--seconds stand beside errors; leave --states out"},
+        {"plate", "--method strong --scaling 3, --plot /tmp/a.svg", 2, "against several --scaling"},
         {"derivative_test", "--kernel cubic", 2, "choose one of gaussian"},
         {"derivative_test", "--volumes all", 2, "choose equal or partition"},
         {"derivative_test", "--smoothing-from here", 2, "choose mean, largest or local"},
@@ -323,6 +336,47 @@ TEST_CASE("bad input: what cannot be written is refused before it is computed, a
     check_refused("plate --field " + folder_itself + "/none/x.csv", 1, "No such file");
     check_refused("hole --field " + folder_itself, 1, "Is a directory");
     CHECK(report::read_whole(kept) == "kept");
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("bad input: two outputs in the same file, or an output in the place of an input") {
+    const Folder folder;
+    const std::string file = folder.path + "/a.svg", again = folder.path + "/./a.svg";
+    const std::string line = "0\n0.2\n0.4\n0.6\n0.8\n1\n";
+    check_refused("derivative_test --particles 20 --output " + file + " --plot " + again, 2,
+                  "--plot and --output name the same file");
+    check_refused("plate --method strong --output " + file + " --field " + again, 2,
+                  "--field and --output name the same file");
+    CHECK(folder.entries() == 0);
+    report::write_whole(file, line);
+    check_refused("derivative_test --formulation fpm --positions " + file + " --output " + again, 2,
+                  "--positions and --output name the same file");
+    check_refused("hole --layout " + file + " --output " + again, 2,
+                  "--output and --layout name the same file");
+    CHECK(report::read_whole(file) == line);
+    CHECK(run("derivative_test --particles 20 --output /dev/null --plot " + file).code == 0);
+}
+
+TEST_CASE("bad input: an open file that is named as output keeps what stands before and behind") {
+    const Folder folder;
+    const std::string draw = "derivative_test --formulation fpm --particles 20";
+    const std::string table = run(draw).output;
+    CHECK(run("{ echo first; " + draw + " --output /dev/stdout; echo last; }").output ==
+          "first\n" + table + "last\n");
+    CHECK(run("{ " + draw + " --output /dev/stdout | cat; }").output == table);
+    CHECK(run("{ " + draw + " --output /dev/fd/3 3>&1; }").output == table);
+    check_refused(draw + " --output /dev/fd/7", 1, "cannot write /dev/fd/7: Bad file descriptor");
+}
+
+TEST_CASE("bad input: an environment that asks for too much, or for another terminal") {
+    const Folder folder;
+    const std::string draw = "derivative_test --formulation fpm --particles 20";
+    const auto many = run("OMP_NUM_THREADS=100000 " + draw);
+    CHECK(many.code == 0);
+    CHECK(many.output == run(draw).output);
+    CHECK(run("GNUTERM=none " + draw + ",40 --plot " + folder.path + "/a.svg").code == 0);
+    // No file may grow: to the program, a full disk.
+    check_refused(draw + " --output " + folder.path + "/a.csv", 1, "File too large", "ulimit -f 1; ");
     CHECK(folder.entries() == 1);
 }
 

@@ -8,6 +8,8 @@ using namespace programs;
 TEST_CASE("example_problems: lists are numbers and ranges, whose ends belong to them") {
     CHECK(numbers("--x", "3,3.5,4") == std::vector<double>{3, 3.5, 4});
     CHECK(numbers("--x", "2:0.1:2.3") == std::vector<double>{2, 2.1, 2.2, 2.3});
+    CHECK(numbers("--x", "1e-13:1e-13:3e-13") == std::vector<double>{1e-13, 2e-13, 3e-13});
+    CHECK(numbers("--x", "0.3:1e-15:0.300000000000001").front() == 0.3);
     CHECK(numbers("--x", "1,2:2:7") == std::vector<double>{1, 2, 4, 6});
     CHECK(whole_numbers("--x", "3:1:5") == std::vector<long>{3, 4, 5});
     for (const char* bad :

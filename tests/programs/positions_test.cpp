@@ -169,3 +169,10 @@ TEST_CASE(
             file,
         1, "times as large");
 }
+
+TEST_CASE("positions: what is no number or infinite is no header") {
+    for (const char* first : {"nan", "NaN", "inf", "-inf", "infinity"})
+        CHECK_THROWS_WITH_AS(read(std::string(first) + "\n" + irregular), doctest::Contains("is no position"),
+                             particles::InvalidInput);
+    CHECK(read("nanometres\n" + std::string(irregular)).size() == 15);
+}

@@ -30,3 +30,21 @@ TEST_CASE("vibration_test: what it cannot compute is refused") {
     programs::check_refused("vibration_test --median", 2, "--median");
     programs::check_refused("vibration_test --particles 2", 2, "take at least 3");
 }
+
+TEST_CASE(
+    "vibration_test: --lowest gives the first of all modes where all are real or in pairs, signs and order "
+    "included") {
+    const std::string command =
+        "vibration_test --formulation rkpm_second_order --particles 60 --perturb 0.25 --seed 7";
+    const auto all = report::parsed(run(command).output),
+               lowest = report::parsed(run(command + " --lowest 8").output);
+    REQUIRE(lowest.rows.size() == 8);
+    for (std::size_t row = 0; row < 8; ++row)
+        for (const char* name : {"mode", "frequency", "frequency_imaginary", "ratio"}) {
+            const auto of = [&](const report::Table& table) {
+                return std::get<double>(table.rows[row][table.column(name)]);
+            };
+            CHECK(std::abs(of(lowest) - of(all)) <= 1e-7 * std::abs(of(all)));
+        }
+    CHECK(std::get<double>(all.rows[7][all.column("frequency_imaginary")]) > 0.5);  // a pair is among them
+}

@@ -77,6 +77,42 @@ TEST_CASE("file: a link is followed and stays a link; a device stays a device") 
     close(reader);
 }
 
+TEST_CASE("file: a link to what is not there yet is followed, and an existing file keeps who may read it") {
+    using std::filesystem::perms;
+    const Folder folder;
+    const std::string target = folder.path + "/target.csv", link = folder.path + "/link.csv",
+                      loop = folder.path + "/loop.csv";
+    std::filesystem::create_symlink("target.csv", link);
+    report::write_whole(link, "new");
+    CHECK(std::filesystem::is_symlink(link));
+    CHECK(report::read_whole(target) == "new");
+
+    std::filesystem::permissions(target, perms::owner_read | perms::owner_write);
+    report::write_whole(target, "newer");
+    CHECK(std::filesystem::status(target).permissions() == (perms::owner_read | perms::owner_write));
+
+    std::filesystem::create_symlink("loop.csv", loop);
+    CHECK_THROWS_WITH_AS(report::write_whole(loop, "text"),
+                         doctest::Contains("Too many levels of symbolic links"),
+                         particles::FailedComputation);
+}
+
+TEST_CASE("file: an open file keeps what it holds; one that is not open to write is refused") {
+    const Folder folder;
+    const std::string path = folder.path + "/log";
+    report::write_whole(path, "before\n");
+    const int log = open(path.c_str(), O_WRONLY | O_APPEND), read = open(path.c_str(), O_RDONLY);
+    for (const std::string& name : {"/dev/fd/" + std::to_string(log), "/proc/self/fd/" + std::to_string(log)})
+        report::write_whole(name, "after\n");
+    CHECK_THROWS_WITH_AS(report::check_writable("/dev/fd/" + std::to_string(read)),
+                         doctest::Contains("Bad file descriptor"), particles::FailedComputation);
+    close(log);
+    close(read);
+    CHECK_THROWS_AS(report::check_writable("/dev/fd/" + std::to_string(log)), particles::FailedComputation);
+    CHECK(report::read_whole(path) == "before\nafter\nafter\n");
+    CHECK(folder.entries() == 1);
+}
+
 TEST_CASE("file: what could not be written in the end is known before") {
     const Folder folder;
     const std::string path = folder.path + "/file.csv";

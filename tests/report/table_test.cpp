@@ -121,6 +121,10 @@ TEST_CASE("table: numbers within the first table's tolerance agree, others and o
     Table renamed = committed;
     renamed.columns[2].name = "other";
     CHECK(differences(committed, renamed).size() == 1);
+    Table lax = committed;
+    lax.columns[2].tolerance.absolute = 1;
+    CHECK(differences(committed, lax) == std::vector<std::string>{"the tolerance of error"});
+    CHECK(differences(parsed("a b,c\n1,2\n"), parsed("a,b c\n1,2\n")).size() == 1);
 }
 
 TEST_CASE("table: the largest move is the one that takes most of its tolerance") {
@@ -128,7 +132,7 @@ TEST_CASE("table: the largest move is the one that takes most of its tolerance")
         "# tolerance of u: relative 0, absolute 0.5\n# tolerance of v: relative 0.01, absolute "
         "0\nu,v\n1,100\n2,200\n");
     Table b = a;
-    CHECK(report::largest_move(a, b).share == 0);
+    CHECK(report::largest_move(a, b).by == 0);
     b.rows[0][0] = 1.125;
     b.rows[1][1] = 199.0;
     const report::Move most = report::largest_move(a, b);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "asprone2010/section_5_2_static_test.hpp"
+#include "particles/quad.hpp"
 #include "tests/support.hpp"
 
 namespace {
@@ -87,6 +88,9 @@ TEST_CASE("banded: the condition is estimated as LAPACK's dgbcon estimates it") 
         LAPACKE_dgbcon(LAPACK_COL_MAJOR, '1', N, below, above, band.data(), height, pivots.data(), norm,
                        &expected);
         CHECK(solvers::BandedFactors<double>(A).reciprocal_condition() == support::relative(expected, 1e-9));
+        const Eigen::SparseMatrix<long double, Eigen::RowMajor> longer = A.cast<long double>();
+        CHECK(static_cast<double>(solvers::BandedFactors<long double>(longer).reciprocal_condition()) ==
+              support::relative(expected, 1e-9));
     }
 }
 
@@ -98,6 +102,25 @@ TEST_CASE("banded: rows are exchanged where the diagonal is zero") {
     CHECK(x[0] == 2);
     CHECK(x[1] == 3);
     CHECK(x[2] == 2);
+}
+
+TEST_CASE(
+    "banded: what is singular to the precision is refused in that precision, and solved in a longer one") {
+    using Longer = Eigen::SparseMatrix<long double, Eigen::RowMajor>;
+    // The Hilbert matrix with 14 unknowns has a reciprocal condition of about 1e-19.
+    Longer A(14, 14);
+    for (int i = 0; i < 14; ++i)
+        for (int j = 0; j < 14; ++j) A.insert(i, j) = 1.0L / (i + j + 1);
+    const Matrix shorter = A.cast<double>();
+    const Eigen::SparseMatrix<particles::Quad, Eigen::RowMajor> quad = A.cast<particles::Quad>();
+    const solvers::BandedFactors<double> in_double(shorter);
+    const solvers::BandedFactors<long double> in_long(A);
+    const solvers::BandedFactors<particles::Quad> in_quad(quad);
+    CHECK_THROWS_WITH_AS(in_double.require_regular(),
+                         doctest::Contains("14 unknowns is singular (reciprocal condition"),
+                         particles::FailedComputation);
+    CHECK_THROWS_AS(in_long.require_regular(), particles::FailedComputation);
+    CHECK_NOTHROW(in_quad.require_regular());
 }
 
 TEST_CASE("banded: a singular system is reported, exactly and nearly singular ones, and what is not finite") {
@@ -112,9 +135,11 @@ TEST_CASE("banded: a singular system is reported, exactly and nearly singular on
     A.coeffRef(1, 1) = 4 * (1 + 3e-16);
     CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()), particles::FailedComputation);
     A.coeffRef(1, 1) = std::nan("");
-    CHECK_THROWS_WITH_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()),
-                         "the linear system has rows that are zero or not finite",
-                         particles::FailedComputation);
+    CHECK_THROWS_WITH_AS(
+        solvers::solve_banded(A, Eigen::Array3d::Ones()),
+        "row 1 of the linear system is zero or not finite; take another smoothing length or other "
+        "particles",
+        particles::FailedComputation);
     A.coeffRef(1, 1) = 5;
     CHECK_THROWS_WITH_AS(solvers::solve_banded(A, Eigen::Array3d(1, std::nan(""), 1)),
                          "the linear system has a right-hand side that is not finite",
