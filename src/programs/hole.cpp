@@ -1,12 +1,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <exception>
+#include <charconv>
+#include <cmath>
 #include <iostream>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,7 +24,9 @@ using namespace batra2008;
 
 /// Positions from a file: a line for each particle, x1 and x2 between blanks or a comma; # starts a comment.
 Points<2> read_positions(const std::string& path) {
-    std::istringstream in(report::read_whole(path));
+    std::string text = report::read_whole(path);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // the mark that some editors write first
+    std::istringstream in(text);
     std::vector<Point<2>> x;
     long number = 0;
     for (std::string line; std::getline(in, line);) {
@@ -35,12 +39,10 @@ Points<2> read_positions(const std::string& path) {
         if (!(words >> first)) continue;
         words >> second >> more;
         const auto read = [&](const std::string& word) {
-            try {
-                std::size_t end = 0;
-                const double value = std::stod(word, &end);
-                if (end == word.size()) return value;
-            } catch (const std::exception&) {
-            }
+            double value = 0;
+            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+            if (error == std::errc() && end == word.data() + word.size() && std::isfinite(value))
+                return value;
             throw particles::InvalidInput(path + ", line " + std::to_string(number) + ": '" + word +
                                           "' is no number");
         };

@@ -38,7 +38,7 @@ TEST_CASE("hole: layouts by name, drawn again, and from a file") {
     const std::string file = folder.path + "/positions.csv";
     const auto states =
         report::parsed(run("hole --method strong --layout polar-11x17 --states particles").output);
-    std::string lines = "# x1, x2\n";
+    std::string lines = "\xEF\xBB\xBF# x1, x2\n";
     for (std::size_t row = 0; row < states.rows.size(); ++row)
         lines += states.word(row, "x1") + ", " + states.word(row, "x2") + "\n";
     report::write_whole(file, lines);
@@ -62,6 +62,8 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
              {"--poisson 0.5", "Poisson's ratio"},
              {"--draws 0", "--draws"},
              {"--layout " + file("words.csv", "0 1\nhello world\n"), "line 2: 'hello' is no number"},
+             {"--layout " + file("hexadecimal.csv", "0 0x1p0\n"), "line 1: '0x1p0' is no number"},
+             {"--layout " + file("infinite.csv", "0 1\nnan inf\n"), "line 2: 'nan' is no number"},
              {"--layout " + file("three.csv", "0 1\n1 2 3\n"), "line 2 does not hold two numbers"},
              {"--layout " + file("outside.csv", "0 1\n1 2\n1 9\n"),
               "particle 2 at (1, 9) lies outside the body"},
