@@ -59,9 +59,8 @@ std::vector<std::string> environment() {
 }
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
-    std::vector<char*> all;
-    for (std::string& text : texts) all.push_back(text.data());
-    all.push_back(nullptr);
+    std::vector<char*> all(texts.size() + 1);  // the last one, which is null, ends them
+    std::transform(texts.begin(), texts.end(), all.begin(), [](std::string& text) { return text.data(); });
     return all;
 }
 
