@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <array>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +10,7 @@
 #include "particles/parallel.hpp"
 #include "programs/formulations.hpp"
 #include "programs/options.hpp"
+#include "programs/progress.hpp"
 
 namespace {
 
@@ -116,12 +120,15 @@ int main(int argc, char** argv) {
             programs::formulation_named<Quad>(formulation);
             for (const std::string& kernel : kernels)
                 for (const double smoothing : smoothings)
-                    for (const std::string& convention : volumes)
+                    for (const std::string& convention : volumes) {
+                        limit_stencils::reach_in_spacings<Quad>({particles::volumes_named(convention),
+                                                                 particles::kernel_named(kernel), smoothing});
                         for (const int derivative : {1, 2})
                             for (const std::optional<Index>& from_end :
                                  {std::optional<Index>(0), {1}, {2}, {}})
                                 places.push_back(
                                     {formulation, kernel, convention, smoothing, from_end, derivative});
+                    }
         }
         report::Table table;
         table.comments = {
@@ -144,9 +151,11 @@ int main(int argc, char** argv) {
                          {"relative_difference", {1, 1e-6}},
                          {"amplification", {1e-9, 0}}};
         table.rows.resize(places.size());
+        programs::Progress progress(places.size(), std::cerr, isatty(STDERR_FILENO) != 0);
         particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             table.rows[at] = measured(places[at]);
+            progress.step();
         });
         return table;
     });

@@ -59,7 +59,7 @@ Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest
 
     const Factors factors(A, {});
     if (!factors.fault().empty()) refuse(factors.fault());
-    const Eigen::VectorXd x = factors.solve(b);
+    Eigen::VectorXd x = factors.solve(b);
     const double residual = relative_residual(A, x, b);
     if (!(residual < largest_residual))
         refuse("was not solved (relative residual " + particles::shown(residual, 2) + ")");
