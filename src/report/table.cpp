@@ -179,8 +179,10 @@ std::vector<std::string> differences(const Table& committed, const Table& regene
     std::vector<std::string> found;
     const auto names = [](const Table& table) {
         std::string joined;
-        for (const ColumnHead& column : table.columns)
-            joined += (joined.empty() ? "" : ",") + quoted(column.name);
+        for (const ColumnHead& column : table.columns) {
+            if (!joined.empty()) joined += ',';
+            joined += quoted(column.name);
+        }
         return joined;
     };
     if (committed.comments != regenerated.comments)
