@@ -386,10 +386,11 @@ TEST_CASE("bad input: a file without permission to write is not replaced, nor a 
     const std::string kept = folder.path + "/kept.csv";
     report::write_whole(kept, "kept");
     std::string as_anybody;
-    if (geteuid() == 0) {  // who may write everywhere
+    if (geteuid() == 0) {  // who may write everywhere; what make coverage counts goes where anybody may write
         std::filesystem::copy(programs::bin() + "/derivative_test", programs.path);
         permissions(programs.path, perms::all);
-        as_anybody = "setpriv --reuid=65534 --regid=65534 --clear-groups " + programs.path + "/";
+        as_anybody = "GCOV_PREFIX=" + programs.path + " setpriv --reuid=65534 --regid=65534 --clear-groups " +
+                     programs.path + "/";
     }
     const std::string draw = "derivative_test --formulation fpm --particles 40 --output ";
     permissions(folder.path, perms::all);

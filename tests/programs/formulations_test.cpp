@@ -3,6 +3,7 @@
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
+#include "particles/quad.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/support.hpp"
 
@@ -19,6 +20,16 @@ const Formulation<double>& ssph() {
 double second_derivative_error(Index N) {
     return derivative_test::errors(ssph(), support::particles_of(N), derivative_test::exponential<double>())
         .second;
+}
+
+/// Largest error of the second derivative of 2 − x + 3x².
+template <class Scalar>
+double ssph_on_a_parabola() {
+    const auto [line, smoothing] =
+        numerical_tests::discretise<Scalar>({Volumes::equal, Gaussian{}, 1.5, 0.3}, 40, 7);
+    const auto operators = programs::formulation_named<Scalar>("ssph").operators(line, smoothing);
+    const Column<Scalar> x = line.x(), B = Scalar(2) - x + Scalar(3) * x * x;
+    return static_cast<double>((particles::apply(operators.D2, B) - Scalar(6)).abs().maxCoeff());
 }
 
 }  // namespace
@@ -41,6 +52,12 @@ TEST_CASE("formulations: ssph is exact on parabolas, for irregular particles and
         CHECK((particles::apply(D, B) - (6 * x - 1)).abs().maxCoeff() < 1e-11);
         CHECK((particles::apply(D2, B) - 6).abs().maxCoeff() < 1e-8);
     });
+}
+
+TEST_CASE("formulations: ssph is exact on parabolas to the round-off of each precision") {
+    CHECK(ssph_on_a_parabola<double>() < 1e-9);
+    CHECK(ssph_on_a_parabola<long double>() < 1e-12);
+    CHECK(ssph_on_a_parabola<particles::Quad>() < 1e-27);
 }
 
 TEST_CASE("formulations: ssph weighs with (3.15) of batra2008 for a scaling factor of 4") {
