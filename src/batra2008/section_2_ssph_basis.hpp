@@ -298,8 +298,8 @@ class Basis {
           C_(C<Scalar>(D_, H_)),
           factors_(C_) {
         // A pivot that vanishes against its diagonal entry belongs to a monomial that the earlier ones give as well.
-        const Scalar least =
-            (factors_.matrixLLT().diagonal().array().square() / C_.diagonal().array()).minCoeff();
+        const auto pivots = factors_.matrixLLT().diagonal().array().square();
+        const Scalar least = (pivots / C_.diagonal().array()).minCoeff();
         if (factors_.info() != Eigen::Success || !(least > singular))
             throw particles::SingularNeighbourhood(least > 0 ? static_cast<double>(least) : 0);
     }
