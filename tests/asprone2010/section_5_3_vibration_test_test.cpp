@@ -24,6 +24,14 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 }  // namespace
 
+TEST_CASE("(52): frequencies are ordered by their real part, then by their imaginary part") {
+    CHECK(lower({1, 2}, {2, 1}));
+    CHECK_FALSE(lower({2, 1}, {1, 2}));
+    CHECK(lower({1, -1}, {1, 1}));
+    CHECK_FALSE(lower({1, 1}, {1, -1}));
+    CHECK_FALSE(lower({1, 1}, {1, 1}));
+}
+
 TEST_CASE("(52): the lowest modes are those of the whole spectrum, on any particles, with small residuals") {
     for (const char* name : {"second_order_fpm", "modified_fpm", "chen_beraun"})
         for (const double perturbation : {0.0, 0.2}) {

@@ -4,6 +4,7 @@
 
 #include "particles/errors.hpp"
 #include "tests/programs/run.hpp"
+#include "tests/sanitizers.hpp"
 
 using namespace programs;
 
@@ -22,15 +23,7 @@ TEST_CASE("room: what fits is let pass, what does not is refused with both sizes
 }
 
 // A sanitizer reserves more addresses than a limit would leave it.
-#ifndef __has_feature
-#define __has_feature(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
-    __has_feature(thread_sanitizer)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
+constexpr bool sanitized = support::addresses_are_watched || support::threads_are_watched;
 
 TEST_CASE("room: a limit of the shell counts" * doctest::skip(sanitized)) {
     const auto limited =

@@ -1,0 +1,20 @@
+#pragma once
+
+/// Which sanitizer the tests are compiled for: a few things cannot be tried under one.
+namespace support {
+
+#ifndef __has_feature
+#define __has_feature(name) 0
+#endif
+#if defined(__SANITIZE_THREAD__) || __has_feature(thread_sanitizer)
+inline constexpr bool threads_are_watched = true;
+#else
+inline constexpr bool threads_are_watched = false;
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+inline constexpr bool addresses_are_watched = true;
+#else
+inline constexpr bool addresses_are_watched = false;
+#endif
+
+}  // namespace support
