@@ -171,7 +171,7 @@ check: $(BUILD)/bin/check build ## run the tests
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
 	@bash tests/interrupts $(BUILD)
 
-check-environments: build ## try a decimal comma, a path with blanks, a tree that can only be read
+check-environments: build ## try a decimal comma, a path with blanks, a full disk, a tree that can only be read
 	@bash tests/environments $(BUILD)
 
 valgrind: build ## run each program once under valgrind

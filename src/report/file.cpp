@@ -60,10 +60,11 @@ Target target_of(const std::string& path) {
     constexpr int most_links = 40;  // as the system follows
     for (int k = 0; k < most_links && !descriptor_of(end) && std::filesystem::is_symlink(end, none); ++k)
         end = end.parent_path() / std::filesystem::read_symlink(end, none);
+    const std::optional<int> descriptor = descriptor_of(end);
     const std::filesystem::file_status status = std::filesystem::status(end, none);
     const bool exists = std::filesystem::exists(status);
-    return {end.string(), descriptor_of(end), exists, !exists || std::filesystem::is_regular_file(status),
-            status.permissions()};
+    return {end.string(), descriptor, exists,
+            !descriptor && (!exists || std::filesystem::is_regular_file(status)), status.permissions()};
 }
 
 constexpr std::size_t most_bytes = std::size_t(1) << 30U;  // of a text that is read: /dev/zero has no end
@@ -123,8 +124,7 @@ void write_whole(const std::string& path, const std::string& text) {
         return;
     }
     check_writable(path);
-    const auto [target, descriptor, exists, replaceable, permissions] = target_of(path);
-    const bool whole = replaceable && !descriptor;
+    const auto [target, descriptor, exists, whole, permissions] = target_of(path);
     const std::string temporary = whole ? target + ".tmp." + std::to_string(getpid()) : target;
     std::optional<Uninterrupted> uninterrupted;
     if (whole) uninterrupted.emplace();
