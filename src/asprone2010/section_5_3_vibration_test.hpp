@@ -76,8 +76,8 @@ inline bool lower(const std::complex<double>& a, const std::complex<double>& b) 
 
 /// The discrete problem: frequencies \f$\omega_n = \sqrt{-\lambda_n}\f$ of the eigenvalues λ of K. \defeq{A52}
 /// \f[ \mathbf{K}\mathbf{x} + \omega^2\mathbf{x} = 0 \tag{52} \f]
-/// \return by increasing real part, then imaginary part
 /// A frequency that is not real belongs to an eigenvalue that is not negative.
+/// \return by increasing real part, then imaginary part
 inline std::vector<std::complex<double>> frequencies(const Eigen::MatrixXd& K) {
     std::vector<std::complex<double>> omega;
     for (const std::complex<double>& lambda : solvers::eigenvalues(K)) omega.push_back(std::sqrt(-lambda));
