@@ -52,8 +52,9 @@ Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest
                                            why + "; take another scaling factor or other particles");
     };
     scale_rows(A, b, nearest);
-    if (!b.allFinite() || !Eigen::Map<const Eigen::ArrayXd>(A.valuePtr(), A.nonZeros()).allFinite())
-        refuse("has rows that are zero or not finite");
+    for (Eigen::Index row = 0; row < A.rows(); ++row)
+        if (!std::isfinite(A.row(row).sum() + b[row]))
+            refuse("has a row " + std::to_string(row) + " that is zero or not finite");
     if (nearest.rows() > 0)
         if (const auto x = iterated(A, b, nearest)) return *x;
 
