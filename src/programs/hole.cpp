@@ -1,61 +1,22 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iostream>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "batra2008/section_4_2_hole.hpp"
 #include "programs/example_problems.hpp"
 #include "programs/options.hpp"
+#include "programs/positions.hpp"
 #include "programs/progress.hpp"
-#include "report/file.hpp"
 
 namespace {
 
 using namespace batra2008;
-
-/// Positions from a file: a line for each particle, x1 and x2 between blanks or a comma; # starts a comment.
-Points<2> read_positions(const std::string& path) {
-    std::string text = report::read_whole(path);
-    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // the mark that some editors write first
-    std::istringstream in(text);
-    std::vector<Point<2>> x;
-    long number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        line.resize(std::min(line.find('#'), line.size()));
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream words(line);
-        words.imbue(std::locale::classic());
-        std::string first, second, more;
-        if (!(words >> first)) continue;
-        words >> second >> more;
-        const auto read = [&](const std::string& word) {
-            double value = 0;
-            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-            if (error == std::errc() && end == word.data() + word.size() && std::isfinite(value))
-                return value;
-            throw particles::InvalidInput(path + ", line " + std::to_string(number) + ": '" + word +
-                                          "' is no number");
-        };
-        if (second.empty() || !more.empty())
-            throw particles::InvalidInput(path + ", line " + std::to_string(number) +
-                                          " does not hold two numbers");
-        const double x1 = read(first), x2 = read(second);
-        x.emplace_back(x1, x2);
-    }
-    Points<2> positions(2, static_cast<Index>(x.size()));
-    for (std::size_t j = 0; j < x.size(); ++j) positions.col(static_cast<Index>(j)) = x[j];
-    return positions;
-}
 
 /// The particles of a layout by its name, or of a file. \param rho the least scaling factor: they must be few enough for that
 /// \param drawn whether another draw is another layout
@@ -78,7 +39,7 @@ Points<2> positions(const std::string& layout, const hole::Shape& shape, unsigne
         throw particles::InvalidInput(
             "there is no layout '" + layout +
             "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
-    return read_positions(layout);
+    return programs::read_points(layout);
 }
 
 /// The places of `--states`.

@@ -1,5 +1,6 @@
 #include "programs/positions.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -15,20 +16,20 @@ using particles::InvalidInput;
 
 namespace {
 
-/// The first entry of a line, without a comment and the blanks around it.
-std::string_view first_entry(std::string_view line) {
-    line = line.substr(0, line.find_first_of("#,"));
-    const std::size_t first = line.find_first_not_of(" \t\r");
+/// The text without the blanks around it.
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
-    return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 /// A name, and not what stands for no number or an infinite one.
-bool starts_header(std::string_view entry) {
+bool starts_header(std::string_view line) {
+    const std::string_view word = line.substr(0, line.find_first_of(", \t"));
     double number = 0;
-    if (std::from_chars(entry.data(), entry.data() + entry.size(), number).ptr == entry.data() + entry.size())
+    if (std::from_chars(word.data(), word.data() + word.size(), number).ptr == word.data() + word.size())
         return false;
-    const char letter = entry.front();
+    const char letter = word.front();
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
            letter == '"';
 }
@@ -41,51 +42,85 @@ std::string quoted(std::string_view entry) {
     return "'" + text + "'";
 }
 
+/// A line of a file that says something.
+struct Line {
+    long number;
+    std::string_view text;  ///< without a comment and the blanks around it
+};
+
+/// Does something with each line of a text, except those that are empty and a header.
+template <class Act>
+void for_each_line(std::string_view text, const Act& act) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark that some editors write first
+    bool first = true;
+    for (long number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view said = trimmed(line.substr(0, line.find('#')));
+        if (said.empty()) continue;
+        if (!first || !starts_header(said)) act(Line{number, said});
+        first = false;
+    }
+}
+
+/// Refuses what an option's file says in a line.
+struct Refusal {
+    std::string option, path;
+    [[noreturn]] void operator()(const Line& line, std::string_view entry, const std::string& why) const {
+        throw InvalidInput(option + ": " + path + ", line " + std::to_string(line.number) + ": " +
+                           quoted(entry) + " " + why);
+    }
+};
+
+double number_in(const Line& line, std::string_view entry, const Refusal& refuse) {
+    double value = 0;
+    const auto [stop, error] = std::from_chars(entry.data(), entry.data() + entry.size(), value);
+    if (error != std::errc() || stop != entry.data() + entry.size() || !std::isfinite(value))
+        refuse(line, entry, "is no number");
+    return value;
+}
+
 }  // namespace
 
 particles::Column<double> read_positions(const std::string& path) {
+    const Refusal refuse{"--positions", path};
     const std::string text = report::read_whole(path);
     std::vector<double> x;
-    bool header = false;
-    long number = 0;
-    const auto refuse = [&](std::string_view entry, const std::string& why) {
-        throw InvalidInput("--positions: " + path + ", line " + std::to_string(number) + ": " +
-                           quoted(entry) + " " + why);
-    };
-
-    std::string_view rest = text, last;
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // the mark that some editors write first
-    long last_number = 0;
-    while (!rest.empty()) {
-        const std::size_t end = rest.find('\n');
-        const std::string_view line = rest.substr(0, end);
-        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-        ++number;
-        const std::string_view entry = first_entry(line);
-        if (entry.empty()) {
-            if (line.find(',') < line.find('#')) refuse(entry, "is no position");
-            continue;
-        }
-        if (x.empty() && !header && starts_header(entry)) {
-            header = true;
-            continue;
-        }
-        double value = 0;
-        const auto [stop, error] = std::from_chars(entry.data(), entry.data() + entry.size(), value);
-        if (error != std::errc() || stop != entry.data() + entry.size() || !std::isfinite(value))
-            refuse(entry, "is no position");
-        if (x.empty() && value != 0) refuse(entry, "is the first position; it must be 0");
+    Line last{};
+    std::string_view before;
+    for_each_line(text, [&](const Line& line) {
+        const std::string_view entry = trimmed(line.text.substr(0, line.text.find(',')));
+        const double value = number_in(line, entry, refuse);
+        if (x.empty() && value != 0) refuse(line, entry, "is the first position; it must be 0");
         if (!x.empty() && !(value > x.back()))
-            refuse(entry, "does not lie beyond the position before it, " + std::string(last) + "; sort them");
-        if (value > 1) refuse(entry, "lies beyond 1; scale the positions to [0, 1]");
+            refuse(line, entry,
+                   "does not lie beyond the position before it, " + std::string(before) + "; sort them");
+        if (value > 1) refuse(line, entry, "lies beyond 1; scale the positions to [0, 1]");
         x.push_back(value);
-        last = entry;
-        last_number = number;
-    }
+        last = line;
+        before = entry;
+    });
     if (x.empty()) throw InvalidInput("--positions: " + path + " holds no position");
-    number = last_number;
-    if (x.back() != 1) refuse(last, "is the last position; it must be 1");
+    if (x.back() != 1) refuse(last, before, "is the last position; it must be 1");
     return Eigen::Map<particles::Column<double>>(x.data(), static_cast<particles::Index>(x.size()));
+}
+
+particles::Points<2> read_points(const std::string& path) {
+    const Refusal refuse{"--layout", path};
+    const std::string text = report::read_whole(path);
+    std::vector<double> x;
+    for_each_line(text, [&](const Line& line) {
+        const char* const between = line.text.find(',') == std::string_view::npos ? " \t" : ",";
+        const std::size_t first = line.text.find_first_of(between);
+        if (first == std::string_view::npos) refuse(line, line.text, "is not two numbers");
+        const std::string_view second = trimmed(line.text.substr(first + 1));
+        if (second.find_first_of(between) != std::string_view::npos)
+            refuse(line, line.text, "is not two numbers");
+        x.push_back(number_in(line, trimmed(line.text.substr(0, first)), refuse));
+        x.push_back(number_in(line, second, refuse));
+    });
+    return Eigen::Map<particles::Points<2>>(x.data(), 2, static_cast<particles::Index>(x.size() / 2));
 }
 
 }  // namespace programs

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "particles/cells.hpp"
 #include "particles/line.hpp"
 
 namespace programs {
@@ -12,5 +13,12 @@ namespace programs {
 /// \throws particles::InvalidInput naming file, line and value where the positions are anything else
 /// \throws particles::FailedComputation where the file cannot be read
 particles::Column<double> read_positions(const std::string& path);
+
+/// Positions of particles in the plane from a file: x₁ and x₂ on a line, between them a comma or blanks; comments and a header as
+/// above.
+/// \return as they stand [length]
+/// \throws particles::InvalidInput naming file, line and value of what is not two numbers
+/// \throws particles::FailedComputation where the file cannot be read
+particles::Points<2> read_points(const std::string& path);
 
 }  // namespace programs

@@ -289,9 +289,9 @@ TEST_CASE("bad input: files that hold nothing, text, bytes, or particles that ma
     };
     for (const auto& [command, name, code, reason] : std::vector<BadFile>{
              {"derivative_test --positions ", "empty", 2, "holds no position"},
-             {"derivative_test --positions ", "text", 2, "line 2: 'it is no table.' is no position"},
-             {"derivative_test --positions ", "bytes", 2, "is no position"},
-             {"derivative_test --positions ", "zeros", 2, "is no position"},
+             {"derivative_test --positions ", "text", 2, "line 2: 'it is no table.' is no number"},
+             {"derivative_test --positions ", "bytes", 2, "is no number"},
+             {"derivative_test --positions ", "zeros", 2, "is no number"},
              {"derivative_test --positions ", "twice", 2, "line 3: '0.5' does not lie beyond"},
              {"static_test --positions ", "back", 2, "sort them"},
              {"static_test --positions ", "left", 2, "is the first position; it must be 0"},
@@ -301,8 +301,8 @@ TEST_CASE("bad input: files that hold nothing, text, bytes, or particles that ma
              {"vibration_test --positions ", "", 1, "Is a directory"},
              {"stencil --formulation fpm --positions ", "nothing", 1, "No such file or directory"},
              {"hole --layout ", "empty", 2, "at least 2 particles, got 0"},
-             {"hole --layout ", "text", 2, "line 1 does not hold two numbers"},
-             {"hole --layout ", "bytes", 2, "does not hold two numbers"},
+             {"hole --layout ", "text", 2, "' is not two numbers"},
+             {"hole --layout ", "bytes", 2, "is not two numbers"},
              {"hole --layout ", "outside", 2, "particle 0 at (0, 0) lies outside the body"},
              {"compare_tables /dev/null ", "empty", 1, "/dev/null: the table has no row of column names"},
              {"claims --count ", "bytes", 1, ""},

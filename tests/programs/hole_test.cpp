@@ -64,7 +64,7 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
              {"--layout " + file("words.csv", "0 1\nhello world\n"), "line 2: 'hello' is no number"},
              {"--layout " + file("hexadecimal.csv", "0 0x1p0\n"), "line 1: '0x1p0' is no number"},
              {"--layout " + file("infinite.csv", "0 1\nnan inf\n"), "line 2: 'nan' is no number"},
-             {"--layout " + file("three.csv", "0 1\n1 2 3\n"), "line 2 does not hold two numbers"},
+             {"--layout " + file("three.csv", "0 1\n1 2 3\n"), "line 2: '1 2 3' is not two numbers"},
              {"--layout " + file("outside.csv", "0 1\n1 2\n1 9\n"),
               "particle 2 at (1, 9) lies outside the body"},
              {"--layout " + file("twice.csv", "0 1\n1 2\n1 2\n"), "coincide at (1, 2)"},

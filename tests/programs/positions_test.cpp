@@ -59,15 +59,15 @@ TEST_CASE("positions: anything else is refused with its line and its value") {
         {"-1\n0\n1\n", "line 1: '-1' is the first position; it must be 0"},
         {"0\n0.5\n", "line 2: '0.5' is the last position; it must be 1"},
         {"0\n0.5\n1\n1.5\n", "line 4: '1.5' lies beyond 1; scale the positions to [0, 1]"},
-        {"0\nabc\n1\n", "line 2: 'abc' is no position"},
-        {"x\ny\n0\n1\n", "line 2: 'y' is no position"},
-        {"0\n0.5m\n1\n", "line 2: '0.5m' is no position"},
-        {"0\n0.5 0.6\n1\n", "line 2: '0.5 0.6' is no position"},
-        {"0\n,0.5\n1\n", "line 2: '' is no position"},
-        {"0\nnan\n1\n", "line 2: 'nan' is no position"},
-        {"0\ninf\n", "line 2: 'inf' is no position"},
-        {"0\n1e999\n", "line 2: '1e999' is no position"},
-        {"0\n\x7F\n1\n", "line 2: '?' is no position"},
+        {"0\nabc\n1\n", "line 2: 'abc' is no number"},
+        {"x\ny\n0\n1\n", "line 2: 'y' is no number"},
+        {"0\n0.5m\n1\n", "line 2: '0.5m' is no number"},
+        {"0\n0.5 0.6\n1\n", "line 2: '0.5 0.6' is no number"},
+        {"0\n,0.5\n1\n", "line 2: '' is no number"},
+        {"0\nnan\n1\n", "line 2: 'nan' is no number"},
+        {"0\ninf\n", "line 2: 'inf' is no number"},
+        {"0\n1e999\n", "line 2: '1e999' is no number"},
+        {"0\n\x7F\n1\n", "line 2: '?' is no number"},
     };
     for (const auto& [text, reason] : all) {
         const std::string tried = text;  // clang++ 14 captures no bindings
@@ -76,6 +76,42 @@ TEST_CASE("positions: anything else is refused with its line and its value") {
                              particles::InvalidInput);
     }
     CHECK_THROWS_AS(static_cast<void>(read_positions("/nowhere/x.csv")), particles::FailedComputation);
+}
+
+TEST_CASE("positions: in the plane two numbers on a line, between them a comma or blanks") {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    const auto points = [&](const std::string& text) {
+        report::write_whole(file, text);
+        return read_points(file);
+    };
+    for (const char* text :
+         {"0 0.25\n1 2\n", "0,0.25\r\n1,2", "x1,x2\n0 , 0.25\n1\t 2\n",
+          "# layout\n\n  x1 x2\n 0   0.25 # here\n1e0, 2.0\n", "\"x1\", \"x2\"\n0,0.25\n1,2\n",
+          "\xEF\xBB\xBF"
+          "0 0.25\n1 2\n"}) {
+        CAPTURE(text);
+        const auto x = points(text);
+        REQUIRE(x.cols() == 2);
+        CHECK(x == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
+    }
+    CHECK(points("# nothing\nx1, x2\n").cols() == 0);
+    for (const auto& [text, reason] : std::vector<std::pair<const char*, const char*>>{
+             {"0 1\n2\n", "x.csv, line 2: '2' is not two numbers"},
+             {"0 1\n1 2 3\n", "line 2: '1 2 3' is not two numbers"},
+             {"0,1,2\n", "line 1: '0,1,2' is not two numbers"},
+             {"0,,1\n", "line 1: '0,,1' is not two numbers"},
+             {"0,\n", "line 1: '' is no number"},
+             {",0\n", "line 1: '' is no number"},
+             {"0 1, 2\n", "line 1: '0 1' is no number"},
+             {"x1 x2\ny1 y2\n", "line 2: 'y1' is no number"},
+             {"nan inf\n", "line 1: 'nan' is no number"},
+             {"0 0x1p0\n", "line 1: '0x1p0' is no number"}}) {
+        const std::string tried = text;
+        CAPTURE(tried);
+        CHECK_THROWS_WITH_AS(static_cast<void>(points(text)), doctest::Contains(reason),
+                             particles::InvalidInput);
+    }
 }
 
 TEST_CASE("positions: those of a uniform grid give the numbers of --particles") {
@@ -172,7 +208,7 @@ TEST_CASE(
 
 TEST_CASE("positions: what is no number or infinite is no header") {
     for (const char* first : {"nan", "NaN", "inf", "-inf", "infinity"})
-        CHECK_THROWS_WITH_AS(read(std::string(first) + "\n" + irregular), doctest::Contains("is no position"),
+        CHECK_THROWS_WITH_AS(read(std::string(first) + "\n" + irregular), doctest::Contains("is no number"),
                              particles::InvalidInput);
     CHECK(read("nanometres\n" + std::string(irregular)).size() == 15);
 }
