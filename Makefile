@@ -194,7 +194,7 @@ $(BUILD)/lint/%.alone: % $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo '#include "$*"' | $(CXX) $(CXXFLAGS) $(CPPFLAGS) -fsyntax-only -x c++ -MMD -MP -MF $@.d -MT $@ -
 	touch $@
-$(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers)
+$(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 	@mkdir -p $(@D)
 	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
 	touch $@
@@ -292,8 +292,12 @@ examples: $(BUILD)/libparticle-methods.a ## build and run the example as a user 
 clean: ## remove what was built
 	rm -rf $(BUILD)
 
+# What is to be set up is set up first, whatever is made beside it.
+ifneq ($(filter setup,$(MAKECMDGOALS)),)
+$(goals): | setup
+endif
+
 # Compilation. A change of the compiler or its flags rebuilds everything.
-# What is to be set up is set up first.
 flags := $(CXX) $(CXXFLAGS) $(CPPFLAGS) $(LDLIBS)
 $(BUILD)/flags: FORCE $(filter setup,$(MAKECMDGOALS))
 	@mkdir -p $(@D)
