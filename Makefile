@@ -7,8 +7,9 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .SECONDARY:
 .DEFAULT_GOAL := help
+# What one recipe writes stays together; of those that take long, each line is shown at once.
 ifeq ($(MAKELEVEL),0)
-MAKEFLAGS += --jobs=$(shell nproc) --output-sync=target
+MAKEFLAGS += --jobs=$(shell nproc) $(if $(filter fresh fuzz lint compilers valgrind check-%,$(MAKECMDGOALS)),,--output-sync=target)
 endif
 
 BUILD ?= build
@@ -196,6 +197,7 @@ $(BUILD)/lint/%.alone: % $(BUILD)/flags
 	touch $@
 $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 	@mkdir -p $(@D)
+	echo "read $<"
 	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
 	touch $@
 
