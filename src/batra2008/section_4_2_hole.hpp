@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <new>
+#include <queue>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "batra2008/section_4_example_problems.hpp"
@@ -187,6 +188,59 @@ inline std::vector<Point<2>> random_places(const Shape& shape, Index count, unsi
     return places;
 }
 
+inline Points<2> columns(const std::vector<Point<2>>& of) {
+    Points<2> all(2, static_cast<Index>(of.size()));
+    for (std::size_t j = 0; j < of.size(); ++j) all.col(static_cast<Index>(j)) = of[j];
+    return all;
+}
+
+/// Adds places to some particles until there are N, each as far from all before it as can be.
+inline void add_farthest(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, Index N) {
+    const Cloud<2> given(columns(x));
+    const particles::Cells<2> near(columns(places));
+    std::vector<double> away(places.size());  // distance² from the nearest particle
+    particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+        const Point<2>& place = places[static_cast<std::size_t>(k)];
+        away[static_cast<std::size_t>(k)] = (place - given.x().col(given.nearest(place))).squaredNorm();
+    });
+    // As they were when they were looked at last; they only shrink. Of equals the first.
+    std::priority_queue<std::pair<double, Index>> farthest;
+    for (std::size_t k = 0; k < places.size(); ++k) farthest.emplace(away[k], -static_cast<Index>(k));
+    while (static_cast<Index>(x.size()) < N) {
+        const auto [seen, minus_k] = farthest.top();
+        const auto k = static_cast<std::size_t>(-minus_k);
+        farthest.pop();
+        if (away[k] < seen) {
+            farthest.emplace(away[k], minus_k);
+            continue;
+        }
+        x.push_back(places[k]);
+        near.for_each_within(places[k], 1.001 * std::sqrt(seen), [&](int j, double distance_squared) {
+            double& of_j = away[static_cast<std::size_t>(j)];
+            of_j = std::min(of_j, distance_squared);
+        });
+    }
+}
+
+/// Moves all particles but the first `fixed` to the centres of the places that are nearest to them (Lloyd).
+inline void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& places,
+                            std::size_t fixed) {
+    const Cloud<2> cloud(columns(x));
+    std::vector<int> nearest(places.size());
+    particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+        nearest[static_cast<std::size_t>(k)] = cloud.nearest(places[static_cast<std::size_t>(k)]);
+    });
+    std::vector<Point<2>> sum(x.size(), Point<2>::Zero());
+    std::vector<int> count(x.size(), 0);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto owner = static_cast<std::size_t>(nearest[k]);
+        sum[owner] += places[k];
+        ++count[owner];
+    }
+    for (std::size_t j = fixed; j < x.size(); ++j)
+        if (count[j] > 0) x[j] = sum[j] / count[j];
+}
+
 }  // namespace detail
 
 /// Particles whose distances grow in proportion to r, so many on the hole and so many in all. In the logarithmic plane those of the
@@ -205,36 +259,9 @@ inline Points<2> graded_layout(const Shape& shape, Index N, Index on_arc, unsign
                                       " on the boundary; take more than " + std::to_string(N) +
                                       " particles in all");
     const std::vector<Point<2>> places = detail::random_places(shape, 60 * N, draw);
-    std::vector<double> away(places.size(), std::numeric_limits<double>::max());
-    const auto come_near = [&](const Point<2>& particle) {
-        for (std::size_t k = 0; k < places.size(); ++k)
-            away[k] = std::min(away[k], (places[k] - particle).squaredNorm());
-    };
-    for (const Point<2>& particle : x) come_near(particle);
-    while (static_cast<Index>(x.size()) < N) {
-        x.push_back(
-            places[static_cast<std::size_t>(std::max_element(away.begin(), away.end()) - away.begin())]);
-        come_near(x.back());
-    }
+    detail::add_farthest(x, places, N);
     constexpr int rounds = 60;
-    for (int round = 0; round < rounds; ++round) {
-        Points<2> now(2, N);
-        for (Index j = 0; j < N; ++j) now.col(j) = x[static_cast<std::size_t>(j)];
-        const Cloud<2> cloud(now);
-        std::vector<int> nearest(places.size());
-        particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
-            nearest[static_cast<std::size_t>(k)] = cloud.nearest(places[static_cast<std::size_t>(k)]);
-        });
-        std::vector<Point<2>> sum(x.size(), Point<2>::Zero());
-        std::vector<int> count(x.size(), 0);
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto owner = static_cast<std::size_t>(nearest[k]);
-            sum[owner] += places[k];
-            ++count[owner];
-        }
-        for (std::size_t j = fixed; j < x.size(); ++j)
-            if (count[j] > 0) x[j] = sum[j] / count[j];
-    }
+    for (int round = 0; round < rounds; ++round) detail::move_to_centres(x, places, fixed);
     Points<2> layout(2, N);
     for (Index j = 0; j < N; ++j) layout.col(j) = logarithmic::place(shape, x[static_cast<std::size_t>(j)]);
     return layout;

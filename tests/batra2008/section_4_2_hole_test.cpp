@@ -87,6 +87,36 @@ TEST_CASE("(4.10): along the x2-axis it is (4.7) and (4.8), with a concentration
     CHECK(hole::along_x2_axis(material, shape, 0.3)[1] == support::relative(3, 1e-14));
 }
 
+TEST_CASE("hole: each particle that is added is the place farthest from all before it") {
+    const auto candidates = hole::detail::random_places(shape, 2000, 3);
+    std::vector<Point<2>> x = hole::detail::boundary_layout(shape, 4);
+    const std::size_t given = x.size();
+    hole::detail::add_farthest(x, candidates, 150);
+    REQUIRE(x.size() == 150);
+    for (std::size_t n = given; n < x.size(); ++n) {
+        const auto away = [&](const Point<2>& place) {
+            double least = HUGE_VAL;
+            for (std::size_t j = 0; j < n; ++j) least = std::min(least, (place - x[j]).squaredNorm());
+            return least;
+        };
+        double farthest = 0;
+        for (const Point<2>& place : candidates) farthest = std::max(farthest, away(place));
+        CHECK(away(x[n]) == farthest);
+    }
+}
+
+TEST_CASE("hole: particles move to the centres of the places nearest to them, those on the boundary stay") {
+    const std::vector<Point<2>> near_both{{0.1, 0}, {0.3, 0.2}, {1, 0.8}, {1.2, 1}, {1.1, 0.9}};
+    std::vector<Point<2>> x{{0, 0}, {1, 1}, {9, 9}}, fixed = x;
+    hole::detail::move_to_centres(x, near_both, 0);
+    CHECK((x[0] - Point<2>(0.2, 0.1)).norm() < 1e-15);
+    CHECK((x[1] - Point<2>(1.1, 0.9)).norm() < 1e-15);
+    CHECK(x[2] == Point<2>(9, 9));  // nearest to no place
+    hole::detail::move_to_centres(fixed, near_both, 1);
+    CHECK(fixed[0] == Point<2>(0, 0));
+    CHECK((fixed[1] - Point<2>(1.1, 0.9)).norm() < 1e-15);
+}
+
 TEST_CASE("hole: the layouts have the print's numbers of particles, lie in the body, and follow their draw") {
     const Problem problem = hole::problem(material, shape);
     for (const auto& [N, on_arc] : {std::pair<Index, Index>{188, 11}, {686, 21}}) {
