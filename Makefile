@@ -9,7 +9,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 # What one recipe writes stays together; of those that take long, each line is shown at once.
 ifeq ($(MAKELEVEL),0)
-MAKEFLAGS += --jobs=$(shell nproc) $(if $(filter fresh fuzz lint compilers valgrind check-%,$(MAKECMDGOALS)),,--output-sync=target)
+MAKEFLAGS += --jobs=$(shell nproc) $(if $(filter bench fresh fuzz lint mutants coverage compilers valgrind check-%,$(MAKECMDGOALS)),,--output-sync=target)
 endif
 
 BUILD ?= build
@@ -147,13 +147,22 @@ timings: $(bin)/plate ## measure what the methods cost on this machine, into dat
 	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv.tmp.csv
 	mv data/batra2008/seconds.csv.tmp.csv data/batra2008/seconds.csv
 
+# What is compiled with other flags lies in a folder of its own. A recipe that calls make is run by make -n, too: it does nothing else.
+.PHONY: bench-build mutants-build coverage-build
+bench-build:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized" $(BUILD)/bench/bin/bench
+mutants-build:
+	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
+coverage-build:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage OPTIMISE="-O1 -ffp-contract=off -Wno-maybe-uninitialized --coverage -fprofile-update=atomic" \
+	    $(BUILD)/coverage/bin/check build
+
 # From the same source, but as fast as the compiler makes it for this machine. Of the processor's widest instructions, g++ 12 warns
 # in its own headers.
 MOST_1D ?= 10000000
 MOST_2D ?= 100000
-bench: ## measure speed against the machine's limits and against NumPy, into data/benchmarks and figures/benchmarks
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized" $(BUILD)/bench/bin/bench
-	for part in asprone2010 batra2008; do
+bench: bench-build ## measure speed against the machine's limits and against NumPy, into data/benchmarks and figures/benchmarks
+	@for part in asprone2010 batra2008; do
 	    python=$$(command -v /usr/bin/python3 || command -v python3 || true)
 	    env -u OPENBLAS_CORETYPE $(BUILD)/bench/bin/bench --part $$part --most-1d $(MOST_1D) --most-2d $(MOST_2D) --output $(BUILD)/bench/$$part.csv
 	    if [[ $$part == asprone2010 ]]; then most=$(MOST_1D); else most=$(MOST_2D); fi
@@ -205,15 +214,12 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
            $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
              src/asprone2010/formulations.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
-mutants: ## break the formulas of the sections on purpose, one at a time: their tests must fail
-	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
-	bash tests/mutants $(BUILD)/mutants
+mutants: mutants-build ## break the formulas of the sections on purpose, one at a time: their tests must fail
+	@bash tests/mutants $(BUILD)/mutants
 
 # What the compiler adds to a struct, and counts on the line where it begins, is not looked at.
-coverage: ## run the tests on counting code; fail where a line of a section file is not reached
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage OPTIMISE="-O1 -ffp-contract=off -Wno-maybe-uninitialized --coverage -fprofile-update=atomic" \
-	    $(BUILD)/coverage/bin/check build
-	find $(BUILD)/coverage -name '*.gcda' -delete
+coverage: coverage-build ## run the tests on counting code; fail where a line of a section file is not reached
+	@find $(BUILD)/coverage -name '*.gcda' -delete
 	# Thousands of short runs would take most of the time to add their counts to the files; some runs may not write them.
 	GCOV_ERROR_FILE=/dev/null $(BUILD)/coverage/bin/check --test-case-exclude="bad input: whatever*"
 	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/' --exclude-throw-branches \
@@ -288,7 +294,7 @@ examples: $(BUILD)/libparticle-methods.a ## build and run the example as a user 
 	folder=$$(mktemp -d)
 	trap 'rm -rf "$$folder"' EXIT
 	cp examples/Makefile examples/*.cpp "$$folder"
-	$(MAKE) --no-print-directory -C "$$folder"
+	env -u MAKEFLAGS make --no-print-directory -C "$$folder"
 	"$$folder/heat_equation"
 
 clean: ## remove what was built
@@ -296,7 +302,7 @@ clean: ## remove what was built
 
 # What is to be set up is set up first, whatever is made beside it.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
-$(goals): | setup
+$(goals) $(goals:%=%-build): | setup
 endif
 
 # Compilation. A change of the compiler or its flags rebuilds everything.
