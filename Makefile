@@ -148,6 +148,7 @@ timings: $(bin)/plate ## measure what the methods cost on this machine, into dat
 	mv data/batra2008/seconds.csv.tmp.csv data/batra2008/seconds.csv
 
 # What is compiled with other flags lies in a folder of its own. A recipe that calls make is run by make -n, too: it does nothing else.
+# The benchmarks are as fast as the compiler makes them for this machine; of its widest instructions, g++ 12 warns in its own headers.
 .PHONY: bench-build mutants-build coverage-build
 bench-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized" $(BUILD)/bench/bin/bench
@@ -157,8 +158,6 @@ coverage-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage OPTIMISE="-O1 -ffp-contract=off -Wno-maybe-uninitialized --coverage -fprofile-update=atomic" \
 	    $(BUILD)/coverage/bin/check build
 
-# From the same source, but as fast as the compiler makes it for this machine. Of the processor's widest instructions, g++ 12 warns
-# in its own headers.
 MOST_1D ?= 10000000
 MOST_2D ?= 100000
 bench: bench-build ## measure speed against the machine's limits and against NumPy, into data/benchmarks and figures/benchmarks
@@ -181,7 +180,7 @@ check: $(BUILD)/bin/check build ## run the tests
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
 	@bash tests/interrupts $(BUILD)
 
-check-environments: build ## try a decimal comma, a path with blanks, a full disk, a tree that can only be read
+check-environments: build ## try a decimal comma, missing packages, a path with blanks, a full disk, a tree that can only be read
 	@bash tests/environments $(BUILD)
 
 valgrind: build ## run each program once under valgrind

@@ -188,6 +188,7 @@ inline std::vector<Point<2>> random_places(const Shape& shape, Index count, unsi
     return places;
 }
 
+/// Positions one after the other as those of a cloud.
 inline Points<2> columns(const std::vector<Point<2>>& of) {
     Points<2> all(2, static_cast<Index>(of.size()));
     for (std::size_t j = 0; j < of.size(); ++j) all.col(static_cast<Index>(j)) = of[j];
