@@ -61,8 +61,8 @@ PACKAGES += $(if $(filter fresh,$(goals)),debootstrap)
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/report/*.cpp) src/asprone2010/formulations.cpp $(wildcard src/solvers/*.cpp) \
-            $(addprefix src/programs/,command_line.cpp options.cpp room.cpp formulations.cpp expression.cpp positions.cpp plot.cpp))
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/base/*.cpp src/expressions/*.cpp src/report/*.cpp src/solvers/*.cpp) \
+            src/asprone2010/formulations.cpp $(filter-out %/example_problems.cpp,$(wildcard src/command_line/*.cpp)))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort))
 benchmarks := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/benchmarks/*.cpp))
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
@@ -212,7 +212,7 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 # The tests of the sections alone, which are compiled again for each mutant: by clang++, in half of g++'s time.
 mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
            $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
-             src/asprone2010/formulations.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
+             src/asprone2010/formulations.cpp src/base/*.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
 mutants: mutants-build ## break the formulas of the sections on purpose, one at a time: their tests must fail
 	@bash tests/mutants $(BUILD)/mutants
 
@@ -271,7 +271,7 @@ verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare
 # Installed are the headers of the methods and of what they stand on, not the claims'. Four of them have source files,
 # sparse, spectrum, formulations and section_4_example_problems: they become a small static library.
 PREFIX ?= /usr/local
-headers := $(filter-out %/claims.hpp,$(wildcard $(patsubst %,src/%/*.hpp,particles solvers $(papers))))
+headers := $(filter-out %/claims.hpp,$(wildcard $(patsubst %,src/%/*.hpp,base particles solvers $(papers))))
 define install_below
 	prefix=$$(realpath -ms -- "$(1)")
 	root="$(2)$$prefix"
@@ -315,7 +315,7 @@ FORCE:
 # The tests compile a sixth faster, and run as long.
 $(tests): CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
 # Where the scripts of the figures lie, for --plot.
-$(BUILD)/src/programs/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
+$(BUILD)/src/command_line/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "compile $<"
@@ -328,7 +328,7 @@ $(addprefix $(BUILD)/bin/,$(programs)): $(BUILD)/bin/%: $(BUILD)/src/programs/%.
 	$(CXX) $(CXXFLAGS) $^ $(LDLIBS) -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
-$(bin)/plate $(bin)/hole $(bin)/check: $(BUILD)/src/programs/example_problems.o
+$(bin)/plate $(bin)/hole $(bin)/check: $(BUILD)/src/command_line/example_problems.o
 $(bin)/plate $(bin)/hole $(bin)/choices: $(BUILD)/src/batra2008/section_4_example_problems.o
 $(bin)/claims $(bin)/check: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard $(papers:%=src/%/*.cpp)))
 $(BUILD)/bin/check: $(tests) $(common)
@@ -344,8 +344,8 @@ $(BUILD)/bin/bench: $(benchmarks) $(common) $(BUILD)/src/batra2008/section_4_exa
 	mv $@.tmp.bin $@
 
 # What is fuzzed runs under the compiler's sanitizers.
-$(BUILD)/fuzzing/expression: src/programs/expression.cpp
-$(BUILD)/fuzzing/positions: src/programs/positions.cpp src/report/file.cpp
+$(BUILD)/fuzzing/expression: src/expressions/expression.cpp
+$(BUILD)/fuzzing/positions: src/command_line/positions.cpp src/base/memory.cpp src/report/file.cpp
 $(BUILD)/fuzzing/table: src/report/table.cpp
 $(readers:%=$(BUILD)/fuzzing/%): $(BUILD)/fuzzing/%: tests/fuzzing/%.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -354,7 +354,7 @@ $(readers:%=$(BUILD)/fuzzing/%): $(BUILD)/fuzzing/%: tests/fuzzing/%.cpp $(BUILD
 	    $(filter %.cpp,$^) -L$(gcc) -lginac -lcln -lquadmath -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
-$(BUILD)/libparticle-methods.a: $(BUILD)/src/solvers/sparse.o $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
+$(BUILD)/libparticle-methods.a: $(BUILD)/src/base/memory.o $(BUILD)/src/solvers/sparse.o $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
                                 $(BUILD)/src/batra2008/section_4_example_problems.o
 	@rm -f $@
 	ar rcs $@ $^

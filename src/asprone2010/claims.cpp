@@ -187,7 +187,7 @@ Measure median_order(const Error& error) {
     return [error](Volumes volumes) {
         return stated(order({40, 80, 160, 320, 640}, [&](Index N) {
             std::vector<double> sample(51);
-            particles::for_each_index(51, [&](Index seed) {
+            base::for_each_index(51, [&](Index seed) {
                 sample[static_cast<std::size_t>(seed)] = error(
                     N, Discretisation{volumes, Gaussian{}, 1, 0.25}, static_cast<unsigned long>(seed) + 1);
             });

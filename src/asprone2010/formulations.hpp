@@ -78,7 +78,7 @@ const std::vector<Formulation<Scalar>>& formulations() {
 
 extern template const std::vector<Formulation<double>>& formulations();
 
-/// \throws particles::InvalidInput for a name that no formulation has
+/// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>
 const Formulation<Scalar>& formulation_named(std::string_view wanted) {
     std::string names;
@@ -86,8 +86,8 @@ const Formulation<Scalar>& formulation_named(std::string_view wanted) {
         if (formulation.name == wanted) return formulation;
         names += (names.empty() ? "" : ", ") + std::string(formulation.name);
     }
-    throw particles::InvalidInput("there is no formulation '" + std::string(wanted) +
-                                  "'; choose all or some of " + names);
+    throw base::InvalidInput("there is no formulation '" + std::string(wanted) + "'; choose all or some of " +
+                             names);
 }
 
 }  // namespace asprone2010

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
+#include "base/text.hpp"
 
 namespace asprone2010 {
 
@@ -119,7 +120,7 @@ struct LeadingError {
 };
 
 /// \param derivative 1 or 2
-/// \throws particles::FailedComputation where the first twelve terms vanish to round-off
+/// \throws base::FailedComputation where the first twelve terms vanish to round-off
 template <class Scalar>
 LeadingError<Scalar> leading_error(const Stencil<Scalar>& of, int derivative) {
     using std::abs, std::sqrt;
@@ -130,19 +131,18 @@ LeadingError<Scalar> leading_error(const Stencil<Scalar>& of, int derivative) {
         if (abs(coefficient) > negligible * (size > 1 ? Scalar(1) : size))
             return {k - derivative, coefficient};
     }
-    throw particles::FailedComputation(
-        "no term of the error's expansion up to the twelfth derivative stands out");
+    throw base::FailedComputation("no term of the error's expansion up to the twelfth derivative stands out");
 }
 
 /// Number of particles, at spacing δ, that a kernel reaches on one side.
-/// \throws particles::InvalidInput unless that is positive and at most 100: stencils cost its third power
+/// \throws base::InvalidInput unless that is positive and at most 100: stencils cost its third power
 template <class Scalar>
 Index reach_in_spacings(const numerical_tests::Discretisation& how) {
     const double reach = std::ceil(support<double>(how.kernel) * how.smoothing);
     if (!(reach > 0 && reach <= 100))
-        throw particles::InvalidInput("h/delta of " + particles::shown(how.smoothing) +
-                                      " gives stencils that reach over " + particles::shown(reach) +
-                                      " spacings, not over 1 to 100; take another --smoothing");
+        throw base::InvalidInput("h/delta of " + base::shown(how.smoothing) +
+                                 " gives stencils that reach over " + base::shown(reach) +
+                                 " spacings, not over 1 to 100; take another --smoothing");
     return static_cast<Index>(reach);
 }
 

@@ -97,7 +97,7 @@ inline constexpr int most_corrections = 10;
 /// the one before. What is left then is the error of the discretisation, down to 1e-12.
 /// \param end the formulation whose first derivative is imposed at the last particle
 /// \param corrections at most so many
-/// \throws particles::FailedComputation where the system is singular
+/// \throws base::FailedComputation where the system is singular
 template <class Scalar>
 Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
                             const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact,

@@ -105,7 +105,7 @@ struct Mode {
 /// as in the static test. Lowest are those of least |ω|: of those whose frequency is not real, others may have a lower real part.
 /// \param D2 second derivative at N particles \param count of modes, at most N − 4
 /// \return by increasing real part, then imaginary part
-/// \throws particles::FailedComputation where K is singular or the iteration does not converge
+/// \throws base::FailedComputation where K is singular or the iteration does not converge
 inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
     const Index inner = D2.rows() - 2;
     const Operator<double> K = D2.block(1, 1, inner, inner);
@@ -121,7 +121,7 @@ inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
     };
     const auto [thetas, shapes] = solvers::largest_of_inverse(factors, inner, count);
     std::vector<Mode> modes(static_cast<std::size_t>(count));
-    particles::for_each_index(count, [&, &values = thetas, &vectors = shapes](Index k) {
+    base::for_each_index(count, [&, &values = thetas, &vectors = shapes](Index k) {
         const Eigen::VectorXcd x = vectors.col(k).normalized(), nearly = values[k] * x;
         Eigen::VectorXcd inverse_x(inner);
         inverse_x.real() = inverse(x.real(), nearly.real()).matrix();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "asprone2010/formulations.hpp"
+#include "base/text.hpp"
 
 namespace asprone2010 {
 
@@ -39,20 +40,19 @@ struct Particles {
 };
 
 /// Particles at given positions; the perturbation does not enter.
-/// \throws particles::InvalidInput for positions that do not increase, h ≤ 0
+/// \throws base::InvalidInput for positions that do not increase, h ≤ 0
 template <class Scalar>
 Particles<Scalar> discretise(const Discretisation& of, const Column<Scalar>& x) {
     if (!(std::isfinite(of.smoothing) && of.smoothing > 0))
-        throw particles::InvalidInput(
-            "the smoothing length over the spacing must be positive and finite, got " +
-            particles::shown(of.smoothing));
+        throw base::InvalidInput("the smoothing length over the spacing must be positive and finite, got " +
+                                 base::shown(of.smoothing));
     const Line<Scalar> line = particles::line_at<Scalar>(x, of.volumes);
     const Column<Scalar> h = Scalar(of.smoothing) * line.spacing(of.smoothing_from);
     return {line, particles::Smoothing<Scalar>(of.kernel, h)};
 }
 
 /// The N particles of a discretisation; the seed matters where they are perturbed.
-/// \throws particles::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
+/// \throws base::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
 template <class Scalar = double>
 Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long seed) {
     const Column<Scalar> x = of.perturbation == 0

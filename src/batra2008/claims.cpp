@@ -490,7 +490,7 @@ Family family(const report::Table& table, const std::string& method, const std::
         of.values.insert(reference ? of.values.begin() : of.values.end(), value);
     }
     if (of.values.empty())
-        throw particles::FailedComputation("data/batra2008/layouts.csv has no rows of " + method);
+        throw base::FailedComputation("data/batra2008/layouts.csv has no rows of " + method);
     return of;
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "particles/cloud.hpp"
 #include "particles/local_system.hpp"
 
@@ -462,19 +463,19 @@ template <int dim, int m>
             const double scaling = (std::max(enough, std::ceil(10 * rho + 5)) + more) / 10;
             const particles::TruncatedGaussian<dim> larger(scaling);
             if (!determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h))) continue;
-            remedy = "try --scaling " + particles::shown(scaling);
+            remedy = "try --scaling " + base::shown(scaling);
             break;
         }
     }
-    throw particles::FailedComputation(
-        "ssph_basis: at " + particles::shown_point(x) + " there are " + std::to_string(found) +
-        " particles within " + particles::shown(rho) + "h = " + particles::shown(rho * h, 3) + " for the " +
-        std::to_string(n) + " monomials of degree " + std::to_string(m) + why + "; " + remedy);
+    throw base::FailedComputation("ssph_basis: at " + particles::shown_point(x) + " there are " +
+                                  std::to_string(found) + " particles within " + base::shown(rho) +
+                                  "h = " + base::shown(rho * h, 3) + " for the " + std::to_string(n) +
+                                  " monomials of degree " + std::to_string(m) + why + "; " + remedy);
 }
 
 /// The basis at any place of a cloud.
 /// \param among the particles that come into question
-/// \throws particles::FailedComputation naming the place, its particles, the monomials and a remedy where they do not suffice
+/// \throws base::FailedComputation naming the place, its particles, the monomials and a remedy where they do not suffice
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h, const std::vector<int>& among) {

@@ -24,7 +24,7 @@ struct System {
 };
 
 /// The displacements \f$u_1, u_2\f$ of each particle. [length]
-/// \throws particles::FailedComputation as solvers::solve_sparse()
+/// \throws base::FailedComputation as solvers::solve_sparse()
 inline Eigen::VectorXd solved(System of) {
     return solvers::solve_sparse(of.A, std::move(of.b), of.nearest);
 }
@@ -124,7 +124,7 @@ Block traction(const ssph_basis::Basis<2, m>& basis, const elastostatics::Materi
 /// The equations: equilibrium at the inner particles, two conditions at each boundary particle.
 /// \tparam m degree of the monomials, 2 or 3
 /// \param near the particles that come into question for the rows of each, in increasing order
-/// \throws particles::FailedComputation as ssph_basis::basis_at()
+/// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
 System equations(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel,
                  const std::vector<std::vector<int>>& near) {
@@ -132,7 +132,7 @@ System equations(const Problem& problem, const Cloud<2>& cloud, const Kernel& ke
     const double nu0 = elastostatics::nu0(problem.material);
     const double modulus = elastostatics::E0(problem.material) / (1 - nu0 * nu0);
     System of{solvers::rows_in_pairs(near), Eigen::VectorXd(2 * cloud.size())};
-    particles::for_each_index(cloud.size(), [&](Index I) {
+    base::for_each_index(cloud.size(), [&](Index I) {
         const Point<2> x = cloud.x().col(I);
         const auto basis =
             ssph_basis::basis_at<m>(cloud, kernel, x, cloud.h()[I], near[static_cast<std::size_t>(I)]);
@@ -177,17 +177,17 @@ std::vector<int> nearest(const Cloud<2>& cloud, const Kernel& kernel, Index I) {
 /// The system; a large one with the same equations on the nearest particles, by the same kernel.
 /// \tparam m degree of the monomials, 2 or 3
 /// \param small so many particles, or fewer, are solved faster without those equations
-/// \throws particles::FailedComputation as ssph_basis::basis_at()
+/// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
 System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, Index small = 2000) {
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
-    particles::for_each_index(cloud.size(), [&](Index I) {
+    base::for_each_index(cloud.size(), [&](Index I) {
         near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * cloud.h()[I]);
     });
     System of = equations<m>(problem, cloud, kernel, near);
     if (cloud.size() <= small) return of;
-    particles::for_each_index(
-        cloud.size(), [&](Index I) { near[static_cast<std::size_t>(I)] = nearest<m>(cloud, kernel, I); });
+    base::for_each_index(cloud.size(),
+                         [&](Index I) { near[static_cast<std::size_t>(I)] = nearest<m>(cloud, kernel, I); });
     of.nearest = equations<m>(problem, cloud, kernel, near).A;
     return of;
 }

@@ -291,18 +291,18 @@ inline Vector load(const Problem& problem, const WeakForm& form, const Subdomain
 /// The system: two rows for each particle, on the boundary as inside. \defeq{B3.22}
 /// \f[ \sum_{J=1}^{M} K'_{IJ}\,u_J = f_I \tag{3.22} \f]
 /// \tparam m degree of the monomials, 1 to 3
-/// \throws particles::FailedComputation as ssph_basis::basis_at()
+/// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
 System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, const WeakForm& form) {
     const particles::Region region = elastostatics::region(problem);
     const Kernel test(form.test_scaling);
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
-    particles::for_each_index(cloud.size(), [&](Index I) {
+    base::for_each_index(cloud.size(), [&](Index I) {
         near[static_cast<std::size_t>(I)] =
             cloud.within(cloud.x().col(I), (kernel.rho() + test.rho()) * cloud.h()[I]);
     });
     System of{solvers::rows_in_pairs(near), Eigen::VectorXd(2 * cloud.size())};
-    particles::for_each_index(cloud.size(), [&](Index I) {
+    base::for_each_index(cloud.size(), [&](Index I) {
         const std::vector<int>& among = near[static_cast<std::size_t>(I)];
         const double h = cloud.h()[I];
         const Subdomain Omega = subdomain(problem, region, cloud.x().col(I), h, test, form.gauss);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 #include "particles/region.hpp"
 
@@ -37,11 +38,11 @@ namespace elastostatics {
 /// Which component of the third direction vanishes.
 enum class Plane { stress, strain };
 
-/// \throws particles::InvalidInput for another name
+/// \throws base::InvalidInput for another name
 inline Plane plane_named(std::string_view name) {
     if (name == "stress") return Plane::stress;
     if (name == "strain") return Plane::strain;
-    throw particles::InvalidInput("there is no plane '" + std::string(name) + "'; choose stress or strain");
+    throw base::InvalidInput("there is no plane '" + std::string(name) + "'; choose stress or strain");
 }
 
 /// An isotropic linear elastic material.
@@ -51,15 +52,13 @@ struct Material {
     Plane plane = Plane::stress;
 };
 
-/// \throws particles::InvalidInput unless E > 0 and −1 < ν < 1/2 (plane stress: ν ≤ 1/2), all finite
+/// \throws base::InvalidInput unless E > 0 and −1 < ν < 1/2 (plane stress: ν ≤ 1/2), all finite
 inline Material checked(const Material& material) {
     const auto& [E, nu, plane] = material;
     if (!(std::isfinite(E) && E > 0))
-        throw particles::InvalidInput("Young's modulus must be positive and finite, got " +
-                                      particles::shown(E));
+        throw base::InvalidInput("Young's modulus must be positive and finite, got " + base::shown(E));
     if (!(nu > -1 && (plane == Plane::stress ? nu <= 0.5 : nu < 0.5)))
-        throw particles::InvalidInput("Poisson's ratio must lie above -1 and below 0.5, got " +
-                                      particles::shown(nu));
+        throw base::InvalidInput("Poisson's ratio must lie above -1 and below 0.5, got " + base::shown(nu));
     return material;
 }
 
@@ -164,14 +163,13 @@ inline particles::Region region(const Problem& problem) {
     return curves;
 }
 
-/// \throws particles::InvalidInput naming the first particle that lies outside
+/// \throws base::InvalidInput naming the first particle that lies outside
 inline void check_inside(const particles::Cloud<2>& cloud, const Problem& problem) {
     const particles::Region curves = region(problem);
     for (Index I = 0; I < cloud.size(); ++I)
         if (!particles::contains(curves, cloud.x().col(I), problem.size))
-            throw particles::InvalidInput("particle " + std::to_string(I) + " at " +
-                                          particles::shown_point(cloud.x().col(I)) +
-                                          " lies outside the body");
+            throw base::InvalidInput("particle " + std::to_string(I) + " at " +
+                                     particles::shown_point(cloud.x().col(I)) + " lies outside the body");
 }
 
 /// The two conditions of a boundary particle; none inside. Where sides meet and no choice was made, a component is displaced if

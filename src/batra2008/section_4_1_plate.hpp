@@ -73,11 +73,11 @@ inline Stress stress(const Point<2>& x) {
 }
 
 /// nx × ny particles at equal distances, column by column from the left.
-/// \throws particles::InvalidInput for fewer than two in a direction
+/// \throws base::InvalidInput for fewer than two in a direction
 inline Points<2> grid(Index nx, Index ny) {
     if (nx < 2 || ny < 2)
-        throw particles::InvalidInput("a grid needs at least 2x2 particles, got " + std::to_string(nx) + "x" +
-                                      std::to_string(ny));
+        throw base::InvalidInput("a grid needs at least 2x2 particles, got " + std::to_string(nx) + "x" +
+                                 std::to_string(ny));
     Points<2> x(2, nx * ny);
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j)
@@ -94,15 +94,15 @@ inline std::vector<example_problems::MeshPoint> mesh(Index nx, Index ny) {
 }
 
 /// A condition at a corner by its name: u1, u2, s11, s22 or s12.
-/// \throws particles::InvalidInput for another name
+/// \throws base::InvalidInput for another name
 inline elastostatics::Condition condition_named(std::string_view name) {
     if (name == "u1") return {true, 0};
     if (name == "u2") return {true, 1};
     if (name == "s11") return {false, 0, Vector::UnitX()};
     if (name == "s12") return {false, 1, Vector::UnitX()};
     if (name == "s22") return {false, 1, Vector::UnitY()};
-    throw particles::InvalidInput("there is no condition '" + std::string(name) +
-                                  "'; choose two of u1, u2, s11, s22, s12");
+    throw base::InvalidInput("there is no condition '" + std::string(name) +
+                             "'; choose two of u1, u2, s11, s22, s12");
 }
 
 /// The names of the two conditions at each corner, in the print's order.
@@ -125,8 +125,7 @@ inline Problem problem(const elastostatics::Material& material, const Corners& c
     const std::array<Point<2>, 4> at{Point<2>(L1, L2), Point<2>(L1, 0), Point<2>(0, 0), Point<2>(0, L2)};
     for (std::size_t k = 0; k < 4; ++k) {
         if (corners[k][0] == corners[k][1])
-            throw particles::InvalidInput("corner " + std::to_string(k + 1) +
-                                          " needs two different conditions");
+            throw base::InvalidInput("corner " + std::to_string(k + 1) + " needs two different conditions");
         of.corners.push_back({at[k], {condition_named(corners[k][0]), condition_named(corners[k][1])}});
     }
     of.exact.u = [material](const Point<2>& x) { return displacement(material, x); };

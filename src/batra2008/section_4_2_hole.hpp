@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "batra2008/section_4_example_problems.hpp"
 
 namespace batra2008 {
@@ -106,11 +107,11 @@ inline std::array<double, 2> along_x2_axis(const elastostatics::Material& of, co
     return {sigma_0 / (4 * G) * r * ((kappa - 3) / 2 - kappa * q + q * q), 1 + q / 2 + 3 * q * q / 2};
 }
 
-/// \throws particles::InvalidInput unless 0 < b < side
+/// \throws base::InvalidInput unless 0 < b < side
 inline Shape checked(const Shape& shape) {
     if (!(shape.b > 0 && shape.b < shape.side && std::isfinite(shape.side)))
-        throw particles::InvalidInput("the hole's radius must lie between 0 and the side " +
-                                      particles::shown(shape.side) + ", got " + particles::shown(shape.b));
+        throw base::InvalidInput("the hole's radius must lie between 0 and the side " +
+                                 base::shown(shape.side) + ", got " + base::shown(shape.b));
     return shape;
 }
 
@@ -118,7 +119,7 @@ inline Shape checked(const Shape& shape) {
 /// \f[ \begin{aligned} u_1 = 0,\ t_2 = 0 &\ \text{on boundary 1 (the}\ x_2\text{-axis)}; & t_1 = t_2 = 0 &\ \text{on boundary 2 (the hole)};
 ///     \\ t_1 = 0,\ u_2 = 0 &\ \text{on boundary 3 (the}\ x_1\text{-axis)}; & t_1 = \bar t_1,\ t_2 = \bar t_2 &\ \text{on boundaries 4 and 5}
 ///     \end{aligned} \tag{4.9} \f]
-/// \throws particles::InvalidInput unless 0 < b < side
+/// \throws base::InvalidInput unless 0 < b < side
 inline Problem problem(const elastostatics::Material& material, const Shape& shape) {
     using particles::Arc, particles::Segment;
     const auto [b, side] = checked(shape);
@@ -200,7 +201,7 @@ inline void add_farthest(std::vector<Point<2>>& x, const std::vector<Point<2>>& 
     const Cloud<2> given(columns(x));
     const particles::Cells<2> near(columns(places));
     std::vector<double> away(places.size());  // distance² from the nearest particle
-    particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+    base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
         const Point<2>& place = places[static_cast<std::size_t>(k)];
         away[static_cast<std::size_t>(k)] = (place - given.x().col(given.nearest(place))).squaredNorm();
     });
@@ -228,7 +229,7 @@ inline void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>
                             std::size_t fixed) {
     const Cloud<2> cloud(columns(x));
     std::vector<int> nearest(places.size());
-    particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+    base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
         nearest[static_cast<std::size_t>(k)] = cloud.nearest(places[static_cast<std::size_t>(k)]);
     });
     std::vector<Point<2>> sum(x.size(), Point<2>::Zero());
@@ -249,16 +250,16 @@ inline void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>
 /// the places that are nearest to them, again and again (Lloyd). What results is a hexagonal pattern with faults; no
 /// curve of the second degree runs through a neighbourhood, so that C is well conditioned.
 /// \param draw seed of the places: another draw, another layout of the same kind
-/// \throws particles::InvalidInput where the boundary needs more particles than there are
+/// \throws base::InvalidInput where the boundary needs more particles than there are
 inline Points<2> graded_layout(const Shape& shape, Index N, Index on_arc, unsigned long draw) {
-    if (on_arc < 3) throw particles::InvalidInput("a graded layout needs at least 3 particles on the hole");
+    if (on_arc < 3) throw base::InvalidInput("a graded layout needs at least 3 particles on the hole");
     std::vector<Point<2>> x = detail::boundary_layout(shape, on_arc);
     const std::size_t fixed = x.size();
     if (static_cast<Index>(fixed) + 1 > N)
-        throw particles::InvalidInput("a graded layout with " + std::to_string(on_arc) +
-                                      " particles on the hole has " + std::to_string(fixed) +
-                                      " on the boundary; take more than " + std::to_string(N) +
-                                      " particles in all");
+        throw base::InvalidInput("a graded layout with " + std::to_string(on_arc) +
+                                 " particles on the hole has " + std::to_string(fixed) +
+                                 " on the boundary; take more than " + std::to_string(N) +
+                                 " particles in all");
     const std::vector<Point<2>> places = detail::random_places(shape, 60 * N, draw);
     detail::add_farthest(x, places, N);
     constexpr int rounds = 60;
@@ -271,7 +272,7 @@ inline Points<2> graded_layout(const Shape& shape, Index N, Index on_arc, unsign
 /// Particles on rays through the hole's centre, their distances in geometric progression from the hole to the outer edge.
 inline Points<2> polar_layout(const Shape& shape, Index rays, Index rings) {
     if (rays < 3 || rings < 3 || rays % 2 == 0)
-        throw particles::InvalidInput(
+        throw base::InvalidInput(
             "a polar layout needs at least 3 rings, and an odd number of rays from 3 on");
     Points<2> x(2, rays * rings);
     for (Index i = 0; i < rays; ++i)

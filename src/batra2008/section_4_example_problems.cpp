@@ -11,14 +11,13 @@ namespace batra2008::example_problems {
 namespace {
 
 /// Calls `work` with the degree as a compile-time number.
-/// \throws particles::InvalidInput for a degree that the method cannot use
+/// \throws base::InvalidInput for a degree that the method cannot use
 template <class Work>
 auto with_degree(const Discretisation& how, const Work& work) {
     if (how.degree == 2) return work(std::integral_constant<int, 2>{});
     if (how.degree == 3) return work(std::integral_constant<int, 3>{});
     if (how.degree == 1) return work(std::integral_constant<int, 1>{});
-    throw particles::InvalidInput("monomials of degree 1, 2 or 3 are known, not " +
-                                  std::to_string(how.degree));
+    throw base::InvalidInput("monomials of degree 1, 2 or 3 are known, not " + std::to_string(how.degree));
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Discretisatio
                 {how.method == Method::weak1 ? mlpg::Gradient::own_basis : mlpg::Gradient::differentiated,
                  how.penalty, how.test_scaling, how.gauss});
         if constexpr (m >= 2) return collocation::system<m>(problem, cloud, kernel);
-        throw particles::InvalidInput("strong: equilibrium has second derivatives; take --degree 2 or 3");
+        throw base::InvalidInput("strong: equilibrium has second derivatives; take --degree 2 or 3");
     });
 }
 
@@ -96,7 +95,7 @@ std::vector<MeshPoint> background_mesh(Index nx, Index ny, const elastostatics::
 Errors errors(const std::vector<MeshPoint>& mesh, const Cloud<2>& cloud, const Solution& solution,
               const Problem& problem) {
     std::vector<Vector> u(mesh.size());
-    particles::for_each_index(static_cast<Index>(mesh.size()), [&](Index k) {
+    base::for_each_index(static_cast<Index>(mesh.size()), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
         u[at] = state_at(cloud, solution, mesh[at].x).u;
     });

@@ -28,12 +28,12 @@ inline std::string name(Method method) {
     return method == Method::strong ? "strong" : method == Method::weak1 ? "weak1" : "weak2";
 }
 
-/// \throws particles::InvalidInput for another name
+/// \throws base::InvalidInput for another name
 inline Method method_named(std::string_view wanted) {
     for (const Method method : {Method::strong, Method::weak1, Method::weak2})
         if (name(method) == wanted) return method;
-    throw particles::InvalidInput("there is no method '" + std::string(wanted) +
-                                  "'; choose all, or some of strong, weak1, weak2");
+    throw base::InvalidInput("there is no method '" + std::string(wanted) +
+                             "'; choose all, or some of strong, weak1, weak2");
 }
 
 /// How a problem is solved.
@@ -54,10 +54,10 @@ struct Solution {
 };
 
 /// The linear system of a method.
-/// \throws particles::InvalidInput for a degree that the method cannot use
+/// \throws base::InvalidInput for a degree that the method cannot use
 System system(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how);
 
-/// \throws particles::InvalidInput, particles::FailedComputation where the problem cannot be solved so
+/// \throws base::InvalidInput, base::FailedComputation where the problem cannot be solved so
 Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how);
 
 /// Displacement and stress at a place.

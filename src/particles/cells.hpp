@@ -6,9 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "base/index.hpp"
 #include "particles/line.hpp"
 
 namespace particles {
+
+using base::Index;
 
 /// A position in the plane or in space.
 template <int dim, class Scalar = double>

@@ -10,9 +10,14 @@
 #include <new>
 #include <variant>
 
+#include "base/errors.hpp"
+#include "base/text.hpp"
 #include "particles/kernels.hpp"
 
 namespace particles {
+
+using base::InvalidInput;
+using base::shown;
 
 /// A real function of the position.
 using Function = std::function<double(double)>;

@@ -6,11 +6,20 @@
 #include <utility>
 #include <vector>
 
+#include "base/errors.hpp"
+#include "base/index.hpp"
+#include "base/pack.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "particles/cells.hpp"
-#include "particles/parallel.hpp"
 #include "particles/truncated_gaussian.hpp"
 
 namespace particles {
+
+using base::for_each_index;
+using base::Index;
+using base::InvalidInput;
+using base::shown;
 
 /// "(0.5, 0.2)"
 template <class Position>

@@ -8,10 +8,14 @@
 #include <type_traits>
 #include <variant>
 
-#include "particles/errors.hpp"
-#include "particles/pack.hpp"
+#include "base/errors.hpp"
+#include "base/pack.hpp"
 
 namespace particles {
+
+using base::chosen;
+using base::InvalidInput;
+using base::Pack;
 
 /// \defgroup kernels Kernels
 /// A kernel is written in the scaled offset s = (x − x_i)/h, in one dimension and for h = 1:

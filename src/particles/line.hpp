@@ -12,12 +12,17 @@
 #include <type_traits>
 #include <utility>
 
-#include "particles/errors.hpp"
-#include "particles/pack.hpp"
+#include "base/errors.hpp"
+#include "base/index.hpp"
+#include "base/pack.hpp"
+#include "base/text.hpp"
 
 namespace particles {
 
-using Index = Eigen::Index;
+using base::Index;
+using base::InvalidInput;
+using base::Pack;
+using base::shown;
 
 /// Most neighbours that a Pack has room for: its columns have a place on the stack.
 inline constexpr int most_in_pack = 64;

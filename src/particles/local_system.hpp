@@ -5,10 +5,16 @@
 #include <cmath>
 #include <limits>
 
-#include "particles/errors.hpp"
-#include "particles/pack.hpp"
+#include "base/errors.hpp"
+#include "base/pack.hpp"
+#include "base/text.hpp"
 
 namespace particles {
+
+using base::everywhere;
+using base::FailedComputation;
+using base::least;
+using base::shown;
 
 /// The particles of a neighbourhood do not determine the unknowns of a formulation.
 class SingularNeighbourhood : public FailedComputation {

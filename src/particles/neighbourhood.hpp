@@ -7,11 +7,22 @@
 #include <variant>
 #include <vector>
 
+#include "base/errors.hpp"
+#include "base/index.hpp"
+#include "base/pack.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "particles/kernels.hpp"
 #include "particles/line.hpp"
-#include "particles/parallel.hpp"
 
 namespace particles {
+
+using base::chosen;
+using base::for_each_index;
+using base::Index;
+using base::InvalidInput;
+using base::Pack;
+using base::shown;
 
 /// A kernel with its smoothing length h [length], one for all particles or one for each.
 template <class Scalar = double>

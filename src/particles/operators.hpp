@@ -11,12 +11,24 @@
 #include <type_traits>
 #include <vector>
 
-#include "particles/large_pages.hpp"
+#include "base/errors.hpp"
+#include "base/index.hpp"
+#include "base/memory.hpp"
+#include "base/pack.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "particles/local_system.hpp"
 #include "particles/neighbourhood.hpp"
-#include "particles/parallel.hpp"
 
 namespace particles {
+
+using base::FailedComputation;
+using base::for_each_index;
+using base::Index;
+using base::InvalidInput;
+using base::Pack;
+using base::prefer_large_pages;
+using base::shown;
 
 /// A discrete derivative: row i holds the weights with which particle i sums the values at its neighbours.
 /// [1/length^k for the k-th derivative]

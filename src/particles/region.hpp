@@ -6,10 +6,13 @@
 #include <variant>
 #include <vector>
 
+#include "base/index.hpp"
 #include "particles/cloud.hpp"
-#include "particles/gauss_rule.hpp"
+#include "particles/quadrature.hpp"
 
 namespace particles {
+
+using base::Index;
 
 /// A straight part of a boundary; the region lies on the left of the way from one end to the other.
 struct Segment {

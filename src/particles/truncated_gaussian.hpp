@@ -2,9 +2,13 @@
 
 #include <cmath>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
 
 namespace particles {
+
+using base::InvalidInput;
+using base::shown;
 
 /// The Gaussian that is lowered to vanish at the edge of its support, in one, two or three dimensions λ and for h = 1:
 /// \f[ W(s) = \frac{G}{\pi^{\lambda/2}}\left(e^{-|s|^2} - e^{-\rho^2}\right), \quad |s| \le \rho \f]

@@ -9,7 +9,7 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 #include "batra2008/section_4_1_plate.hpp"
 #include "batra2008/section_4_2_hole.hpp"
-#include "programs/options.hpp"
+#include "command_line/options.hpp"
 #include "report/statistics.hpp"
 
 namespace {
@@ -66,7 +66,7 @@ double static_order(const Formulation<double>& formulation, const std::vector<In
 template <class Error>
 report::Quartiles spread(const Error& error) {
     std::vector<double> sample(1000);
-    particles::for_each_index(1000, [&](Index k) {
+    base::for_each_index(1000, [&](Index k) {
         sample[static_cast<std::size_t>(k)] =
             error(Discretisation{Volumes::equal, Gaussian{}, 1, 0.25}, static_cast<unsigned long>(k) + 1);
     });
@@ -278,14 +278,14 @@ report::Table measured() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app("Measures what the choices change that the print of a paper leaves open.",
-                              "choices", "Example: choices --paper batra2008 --output /tmp/choices.csv");
+    command_line::CommandLine app("Measures what the choices change that the print of a paper leaves open.",
+                                  "choices", "Example: choices --paper batra2008 --output /tmp/choices.csv");
     std::string paper = "asprone2010", output;
     app.add_option("--paper", paper, "asprone2010 (default) or batra2008")
         .type_name("NAME")
         .among({"asprone2010", "batra2008"});
     app.add_output(output);
-    return programs::run(app, argc, argv, 0, output, {}, [&] {
+    return command_line::run(app, argc, argv, 0, output, {}, [&] {
         return paper == "batra2008" ? of_batra2008::measured() : of_asprone2010::measured();
     });
 }

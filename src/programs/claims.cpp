@@ -1,4 +1,5 @@
 #include "asprone2010/claims.hpp"
+#include "base/text.hpp"
 #include "batra2008/claims.hpp"
 
 #include <unistd.h>
@@ -9,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/command_line.hpp"
-#include "programs/progress.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/progress.hpp"
 #include "report/file.hpp"
 #include "report/papers.hpp"
 #include "report/read_table.hpp"
@@ -18,7 +19,7 @@
 
 namespace {
 
-using particles::FailedComputation;
+using base::FailedComputation;
 using report::Ledger;
 using report::Paper;
 
@@ -56,7 +57,7 @@ report::Table judged(const report::Table& claims, const Paper& paper) {
                      {"measured_" + other.name, {1e-3, 1e-9}},
                      {"conditional", {1e-3, 1e-9}},
                      {"verdict"}};
-    programs::Progress progress(claims.rows.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+    command_line::Progress progress(claims.rows.size(), std::cerr, isatty(STDERR_FILENO) != 0);
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {
         const std::string id = claims.word(row, "id");
         const auto computation = computations.find(id);
@@ -74,10 +75,10 @@ report::Table judged(const report::Table& claims, const Paper& paper) {
                                                                            : report::Cell();
         };
         const std::string tolerance =
-            statement.tolerance > 0 ? " ± " + particles::shown(statement.tolerance) : std::string();
+            statement.tolerance > 0 ? " ± " + base::shown(statement.tolerance) : std::string();
         table.rows.push_back({id, claims.word(row, "section"), claims.word(row, "claim"),
                               claims.word(row, "quantity"),
-                              statement.relation + " " + particles::shown(statement.expected) + tolerance,
+                              statement.relation + " " + base::shown(statement.expected) + tolerance,
                               cell(with_one, 0), cell(with_other, 0), cell(with_one, 1), verdict});
         progress.step();
     }
@@ -106,7 +107,7 @@ std::string summary(const report::Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Decides every claim of a paper by its computation, under both conventions that the print leaves "
         "open. It runs in the top folder.",
         "claims", "Example: claims --paper asprone2010 --output /tmp/claims.csv");
@@ -120,7 +121,7 @@ int main(int argc, char** argv) {
                    "CSV files of verdicts, data/PAPER/claims.csv: say how many there are of each kind, and "
                    "compute nothing")
         .type_name("FILE");
-    return programs::run(app, argc, argv, [&] {
+    return command_line::run(app, argc, argv, [&] {
         std::string counts;
         for (const std::string& file : decided) {
             const std::string paper = std::filesystem::absolute(file).parent_path().filename().string();

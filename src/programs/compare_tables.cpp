@@ -1,18 +1,19 @@
 #include <iostream>
 #include <string>
 
-#include "particles/errors.hpp"
-#include "programs/command_line.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "command_line/command_line.hpp"
 #include "report/read_table.hpp"
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Compares a regenerated table with the committed one, within the tolerances that the latter states.",
         "compare_tables", "Example: compare_tables data/asprone2010/figure_1.csv /tmp/figure_1.csv");
     std::string committed, regenerated;
     app.add_option("committed", committed, "CSV file that states its tolerances").required();
     app.add_option("regenerated", regenerated, "CSV file to compare").required();
-    return programs::run(app, argc, argv, [&] {
+    return command_line::run(app, argc, argv, [&] {
         const auto expected = report::read_table(committed);
         const auto computed = report::read_table(regenerated);
         const auto found = report::differences(expected, computed);
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
             std::cout << "no number moved\n";
         else
             std::cout << "most moved row " << most.row + 1 << ", " << most.column << ", by "
-                      << particles::shown(most.by, 2) << ", " << particles::shown(100 * most.share, 2)
+                      << base::shown(most.by, 2) << ", " << base::shown(100 * most.share, 2)
                       << " % of what it may\n";
         return 0;
     });

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "asprone2010/limit_stencils.hpp"
-#include "particles/parallel.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
-#include "programs/progress.hpp"
+#include "base/parallel.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
+#include "command_line/progress.hpp"
 
 namespace {
 
 using namespace asprone2010;
+using base::Quad;
 using numerical_tests::Discretisation;
-using particles::Quad;
 
 struct Place {
     std::string formulation, kernel, volumes;
@@ -29,7 +29,7 @@ struct Place {
 limit_stencils::Stencil<Quad> stencil(const Place& of, const Discretisation& how, const Quad& spacing) {
     const Index rows = of.from_end.value_or(limit_stencils::first_interior<Quad>(how));
     const auto [line, smoothing] = limit_stencils::right_end<Quad>(how, rows, spacing);
-    const auto operators = programs::formulation_named<Quad>(of.formulation).operators(line, smoothing);
+    const auto operators = command_line::formulation_named<Quad>(of.formulation).operators(line, smoothing);
     return limit_stencils::row<Quad>(of.derivative == 1 ? operators.D : operators.D2, line,
                                      line.size() - 1 - rows, spacing, of.derivative);
 }
@@ -65,7 +65,7 @@ std::vector<report::Cell> measured(const Place& of) {
     const auto at_unit_spacing = [&]() -> std::optional<limit_stencils::Stencil<Quad>> {
         try {
             return stencil(of, how, 1);
-        } catch (const particles::FailedComputation&) {  // too few neighbours
+        } catch (const base::FailedComputation&) {  // too few neighbours
             return {};
         }
     }();
@@ -84,7 +84,7 @@ std::vector<report::Cell> measured(const Place& of) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Leading errors C delta^p of D and D2 on particles at equal distances, from the formulations' "
         "stencils, at "
         "the end of the line and inside; beside them, what exp shows in quadruple precision.",
@@ -105,10 +105,10 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    return programs::run(app, argc, argv, threads, output, {}, [&] {
+    return command_line::run(app, argc, argv, threads, output, {}, [&] {
         if (wanted == std::vector<std::string>{"all"}) {
             wanted.clear();
-            for (const auto& of : programs::formulations<Quad>()) wanted.emplace_back(of.name);
+            for (const auto& of : command_line::formulations<Quad>()) wanted.emplace_back(of.name);
         }
         if (kernels == std::vector<std::string>{"all"}) {
             kernels.clear();
@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
         }
         std::vector<Place> places;
         for (const std::string& formulation : wanted) {
-            programs::formulation_named<Quad>(formulation);
+            command_line::formulation_named<Quad>(formulation);
             for (const std::string& kernel : kernels)
                 for (const double smoothing : smoothings)
                     for (const std::string& convention : volumes) {
@@ -151,8 +151,8 @@ int main(int argc, char** argv) {
                          {"relative_difference", {1, 1e-6}},
                          {"amplification", {1e-9, 0}}};
         table.rows.resize(places.size());
-        programs::Progress progress(places.size(), std::cerr, isatty(STDERR_FILENO) != 0);
-        particles::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+        command_line::Progress progress(places.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+        base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             table.rows[at] = measured(places[at]);
             progress.step();

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "programs/expression.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
+#include "expressions/expression.hpp"
 
 namespace {
 
@@ -16,32 +16,32 @@ using namespace asprone2010;
 template <class Scalar>
 derivative_test::Exact<Scalar> exact_function(const std::optional<std::string>& text) {
     if (!text) return derivative_test::exponential<Scalar>();
-    const auto [value, first, second] = programs::expression<Scalar>("--function", *text);
+    const auto [value, first, second] = expressions::expression<Scalar>("--function", *text);
     return {value, first, second};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Section 5.1 of Asprone et al. (2010): errors of the first and second derivative of exp on [0, 1].",
         "derivative_test",
         "Example: derivative_test --formulation second_order_fpm --particles 320,640,1280\n"
         "Another: derivative_test --function \"sin(5*x)+x^2\" --particles 37");
-    programs::Options options;
-    options.particles = programs::four_a_doubling();
+    command_line::Options options;
+    options.particles = command_line::four_a_doubling();
     options.figure = {"asprone2010/figure_1.gp", "formulation", "particles", "error_second"};
-    programs::add_options(app, options);
+    command_line::add_options(app, options);
 
     std::optional<std::string> function;
-    app.add_option(
-           "--function", function,
-           "the function B of x, smooth on [0, 1] (default exp(x)); of " + std::string(programs::vocabulary))
+    app.add_option("--function", function,
+                   "the function B of x, smooth on [0, 1] (default exp(x)); of " +
+                       std::string(expressions::vocabulary))
         .type_name("TEXT");
 
-    programs::add_precision(app, options);
+    command_line::add_precision(app, options);
 
-    return programs::run(app, argc, argv, options, [&] {
+    return command_line::run(app, argc, argv, options, [&] {
         if (function) options.figure.told["function"] = *function;
         report::Table table;
         table.comments = {
@@ -50,24 +50,25 @@ int main(int argc, char** argv) {
                 function.value_or("exp"),
             "interior: particles farther than the support's radius from both ends; empty where there are "
             "none"};
-        for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
+        for (const std::string& comment : command_line::described(options)) table.comments.push_back(comment);
         table.columns = {{"error_first", {1e-6, 1e-12}},
                          {"error_second", {1e-6, 2e-10}},
                          {"error_first_interior", {1e-6, 1e-12}},
                          {"error_second_interior", {1e-6, 2e-10}}};
-        programs::in_precision(options.precision, [&](auto zero) {
+        command_line::in_precision(options.precision, [&](auto zero) {
             using Scalar = decltype(zero);
             const auto exact = exact_function<Scalar>(function);
-            programs::tabulate(table, options, [&](const programs::Case& of) -> std::vector<report::Cell> {
-                const auto errors =
-                    derivative_test::errors(programs::formulation_named<Scalar>(of.formulation),
-                                            programs::discretise<Scalar>(options, of), exact);
-                const auto cell = [](const std::optional<Scalar>& error) {
-                    return error ? report::Cell(static_cast<double>(*error)) : report::Cell();
-                };
-                return {cell(errors.first), cell(errors.second), cell(errors.first_interior),
-                        cell(errors.second_interior)};
-            });
+            command_line::tabulate(
+                table, options, [&](const command_line::Case& of) -> std::vector<report::Cell> {
+                    const auto errors =
+                        derivative_test::errors(command_line::formulation_named<Scalar>(of.formulation),
+                                                command_line::discretise<Scalar>(options, of), exact);
+                    const auto cell = [](const std::optional<Scalar>& error) {
+                        return error ? report::Cell(static_cast<double>(*error)) : report::Cell();
+                    };
+                    return {cell(errors.first), cell(errors.second), cell(errors.first_interior),
+                            cell(errors.second_interior)};
+                });
         });
         return table;
     });

@@ -6,9 +6,10 @@
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
-#include "particles/parallel.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
 
 namespace {
 
@@ -17,10 +18,10 @@ using namespace asprone2010;
 /// Errors of DB, D²B and u for exp on every draw of perturbed particles, each in increasing order.
 std::array<std::vector<double>, 3> sorted_errors(const std::string& name, Index N, double perturbation,
                                                  unsigned long seeds) {
-    const auto& formulation = programs::formulation_named(name);
+    const auto& formulation = command_line::formulation_named(name);
     std::array<std::vector<double>, 3> errors;
     for (auto& sample : errors) sample.resize(seeds);
-    particles::for_each_index(static_cast<Index>(seeds), [&](Index k) {
+    base::for_each_index(static_cast<Index>(seeds), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
         numerical_tests::Discretisation how;
         how.perturbation = perturbation;
@@ -38,7 +39,7 @@ std::array<std::vector<double>, 3> sorted_errors(const std::string& name, Index 
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "The distribution of the errors of DB, D2B and u for exp over many draws of perturbed particles: "
         "percentiles.",
         "draws", "Example: draws --formulation modified_fpm,second_order_fpm --particles 160 --seeds 1000");
@@ -60,24 +61,24 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    programs::Figure figure{"asprone2010/figure_draws.gp", "formulation", "percentile", "error_second"};
-    programs::add_plot_option(app, figure);
+    command_line::Figure figure{"asprone2010/figure_draws.gp", "formulation", "percentile", "error_second"};
+    command_line::add_plot_option(app, figure);
 
-    return programs::run(app, argc, argv, threads, output, figure, [&] {
+    return command_line::run(app, argc, argv, threads, output, figure, [&] {
         figure.told["draws"] = std::to_string(seeds);
         if (wanted == std::vector<std::string>{"all"}) {
             wanted.clear();
-            for (const auto& of : programs::formulations()) wanted.emplace_back(of.name);
+            for (const auto& of : command_line::formulations()) wanted.emplace_back(of.name);
         }
         const numerical_tests::Discretisation how;
-        programs::check_line(N, particles::support<double>(how.kernel) * how.smoothing);
+        command_line::check_line(N, particles::support<double>(how.kernel) * how.smoothing);
         report::Table table;
         table.comments = {
             "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section "
             "5.2) "
             "over seeds 1 to " +
                 std::to_string(seeds),
-            std::to_string(N) + " particles, perturbed by " + particles::shown(perturbation) +
+            std::to_string(N) + " particles, perturbed by " + base::shown(perturbation) +
                 " delta, kernel gaussian, h/delta 1, volumes equal"};
         table.columns = {{"formulation"},
                          {"percentile"},

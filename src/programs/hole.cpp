@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "batra2008/section_4_2_hole.hpp"
-#include "programs/example_problems.hpp"
-#include "programs/options.hpp"
-#include "programs/positions.hpp"
-#include "programs/progress.hpp"
+#include "command_line/example_problems.hpp"
+#include "command_line/options.hpp"
+#include "command_line/positions.hpp"
+#include "command_line/progress.hpp"
 
 namespace {
 
@@ -28,18 +28,17 @@ Points<2> positions(const std::string& layout, const hole::Shape& shape, unsigne
     drawn = std::regex_match(layout, found, graded);
     const auto count = [&](int k) { return std::stol(found[k]); };
     if (drawn) {
-        programs::check_cloud(static_cast<double>(count(1)), rho * rho);
+        command_line::check_cloud(static_cast<double>(count(1)), rho * rho);
         return hole::graded_layout(shape, count(1), count(2), draw);
     }
     if (std::regex_match(layout, found, polar)) {
-        programs::check_cloud(static_cast<double>(count(1) * count(2)), rho * rho);
+        command_line::check_cloud(static_cast<double>(count(1) * count(2)), rho * rho);
         return hole::polar_layout(shape, count(1), count(2));
     }
     if (layout.find('.') == std::string::npos && layout.find('/') == std::string::npos)
-        throw particles::InvalidInput(
-            "there is no layout '" + layout +
-            "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
-    return programs::read_points(layout);
+        throw base::InvalidInput("there is no layout '" + layout +
+                                 "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
+    return command_line::read_points(layout);
 }
 
 /// The places of `--states`.
@@ -53,8 +52,8 @@ std::vector<Point<2>> places(const std::string& where, long points, const hole::
         return chosen;
     }
     const auto grid = [&] {
-        const auto [rings, rays] = programs::pair_of("--states", where);
-        programs::check_states(static_cast<double>(rings) * static_cast<double>(rays));
+        const auto [rings, rays] = command_line::pair_of("--states", where);
+        command_line::check_states(static_cast<double>(rings) * static_cast<double>(rays));
         return hole::polar_layout(shape, rays, rings);
     };
     const Points<2> x = where == "particles" ? cloud.x() : grid();
@@ -62,13 +61,13 @@ std::vector<Point<2>> places(const std::string& where, long points, const hole::
     return chosen;
 }
 
-/// \throws particles::InvalidInput for what is not one stress of each method along the x₂-axis
-void check_drawable(const programs::ExampleOptions& options, const std::vector<programs::ExampleCase>& cases,
-                    std::size_t clouds) {
+/// \throws base::InvalidInput for what is not one stress of each method along the x₂-axis
+void check_drawable(const command_line::ExampleOptions& options,
+                    const std::vector<command_line::ExampleCase>& cases, std::size_t clouds) {
     std::set<example_problems::Method> methods;
-    for (const programs::ExampleCase& of : cases) methods.insert(of.how.method);
+    for (const command_line::ExampleCase& of : cases) methods.insert(of.how.method);
     if (options.states != "x2-axis" || clouds > 1 || methods.size() < cases.size())
-        throw particles::InvalidInput(
+        throw base::InvalidInput(
             "--plot draws the stress along the x2-axis (as Figure 17): add --states x2-axis, and take one "
             "layout and one value of everything else");
 }
@@ -76,7 +75,7 @@ void check_drawable(const programs::ExampleOptions& options, const std::vector<p
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Section 4.2 of Batra and Zhang (2008): a quarter of a plate with a hole under tension, by "
         "collocation (strong) and "
         "by two local weak forms (weak1, weak2).",
@@ -86,7 +85,7 @@ int main(int argc, char** argv) {
         "file, a "
         "line x1 x2 for each particle.\n"
         "Example: hole --layout graded-188-11,graded-686-21 --draws 4");
-    programs::ExampleOptions options;
+    command_line::ExampleOptions options;
     options.scaling = "4";
     options.poisson = "0.33";
     options.plane = "strain";
@@ -104,21 +103,21 @@ int main(int argc, char** argv) {
     app.add_option("--draws", draws, "how many draws: S, S+1, ... (default 1)")
         .type_name("K")
         .within(1, 100000);
-    programs::add_options(app, options, "or a line: x2-axis");
+    command_line::add_options(app, options, "or a line: x2-axis");
 
-    programs::Figure figure{"batra2008/figure_17.gp", "method", "x2", "s11", false};
-    programs::add_plot_option(app, figure);
+    command_line::Figure figure{"batra2008/figure_17.gp", "method", "x2", "s11", false};
+    command_line::add_plot_option(app, figure);
 
-    return programs::run(app, argc, argv, options.threads, options.output, figure, [&] {
-        const auto cases = programs::cases(options, hole::E, hole::penalty);
-        const std::vector<double> all_radii = programs::numbers("--radius", radii);
+    return command_line::run(app, argc, argv, options.threads, options.output, figure, [&] {
+        const auto cases = command_line::cases(options, hole::E, hole::penalty);
+        const std::vector<double> all_radii = command_line::numbers("--radius", radii);
         if (!figure.path.empty()) check_drawable(options, cases, layouts.size() * all_radii.size() * draws);
         double rho = cases.front().how.scaling;
-        for (const programs::ExampleCase& of : cases) rho = std::min(rho, of.how.scaling);
-        programs::check_apart({{"--plot", figure.path}, {"--field", options.field}});
+        for (const command_line::ExampleCase& of : cases) rho = std::min(rho, of.how.scaling);
+        command_line::check_apart({{"--plot", figure.path}, {"--field", options.field}});
         for (const std::string& layout : layouts)
-            programs::check_apart({{"--layout", layout}, {"--output", options.output}});
-        programs::FieldFile field(options.field, cases);
+            command_line::check_apart({{"--layout", layout}, {"--output", options.output}});
+        command_line::FieldFile field(options.field, cases);
         report::Table table;
         table.comments = {
             "Batra and Zhang (2008), Section 4.2: a quarter of a plate with a hole; lengths in m, stresses "
@@ -126,20 +125,20 @@ int main(int argc, char** argv) {
             "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 "
             "of "
             "(4.4), dn the difference of the norms, nd the norm of the difference"};
-        table.columns = programs::case_columns();
+        table.columns = command_line::case_columns();
         table.columns.insert(table.columns.end(), {{"layout"}, {"radius"}, {"draw"}});
         const bool states = !options.states.empty();
-        const auto results = states ? programs::state_columns(cases)
+        const auto results = states ? command_line::state_columns(cases)
                                     : std::vector<report::ColumnHead>{{"log_error_dn", {1e-4, 1e-4}},
                                                                       {"log_error_nd", {1e-4, 1e-4}},
                                                                       {"deviation_u1_mm", {1e-4, 1e-6}},
                                                                       {"deviation_u2_mm", {1e-4, 1e-6}},
                                                                       {"stress_concentration", {1e-4, 1e-4}}};
         table.columns.insert(table.columns.end(), results.begin(), results.end());
-        if (options.seconds) programs::add_cost_columns(table);
+        if (options.seconds) command_line::add_cost_columns(table);
 
-        programs::Progress progress(layouts.size() * all_radii.size() * draws * cases.size(), std::cerr,
-                                    isatty(STDERR_FILENO) != 0);
+        command_line::Progress progress(layouts.size() * all_radii.size() * draws * cases.size(), std::cerr,
+                                        isatty(STDERR_FILENO) != 0);
         for (const std::string& layout : layouts)
             for (const double radius : all_radii)
                 for (unsigned long seed = draw; seed < draw + draws; ++seed) {
@@ -148,29 +147,29 @@ int main(int argc, char** argv) {
                     const Cloud<2> cloud(positions(layout, shape, seed, rho, drawn));
                     if (!drawn && seed > draw) continue;
                     const auto mesh = hole::mesh(shape);
-                    for (const programs::ExampleCase& of : cases) {
+                    for (const command_line::ExampleCase& of : cases) {
                         progress.step();
                         const Problem problem = hole::problem(of.material, shape);
-                        programs::Cost cost;
+                        command_line::Cost cost;
                         const example_problems::Solution solution =
-                            programs::solved(problem, cloud, of.how, cost);
-                        const programs::Solved solved{problem, cloud, solution};
+                            command_line::solved(problem, cloud, of.how, cost);
+                        const command_line::Solved solved{problem, cloud, solution};
                         field.add(of, solved);
-                        std::vector<report::Cell> row = programs::case_cells(of);
+                        std::vector<report::Cell> row = command_line::case_cells(of);
                         row[1] = static_cast<long>(cloud.size());
                         row.insert(
                             row.end(),
                             {layout, radius, drawn ? report::Cell(static_cast<long>(seed)) : report::Cell()});
                         if (states) {
-                            programs::add_states(table, row, solved,
-                                                 places(options.states, options.points, shape, cloud));
+                            command_line::add_states(table, row, solved,
+                                                     places(options.states, options.points, shape, cloud));
                             continue;
                         }
                         const auto [dn, nd] = example_problems::errors(mesh, cloud, solution, problem);
                         const Vector deviation = 1000 * hole::largest_deviations(cloud, solution, problem);
                         row.insert(row.end(), {dn, nd, deviation[0], deviation[1],
                                                hole::stress_concentration(cloud, solution, shape)});
-                        if (options.seconds) programs::add_cost(row, cost);
+                        if (options.seconds) command_line::add_cost(row, cost);
                         table.rows.push_back(std::move(row));
                     }
                 }

@@ -7,10 +7,11 @@
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
-#include "particles/parallel.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
-#include "programs/progress.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
+#include "command_line/progress.hpp"
 #include "report/statistics.hpp"
 
 #include <unistd.h>
@@ -31,7 +32,7 @@ struct Square {
 std::array<std::optional<double>, 3> errors(const Square& of, Index N, unsigned long seeds) {
     const numerical_tests::Discretisation how{particles::Volumes::equal, particles::kernel_named(of.kernel),
                                               of.smoothing, of.perturbation};
-    const auto& formulation = programs::formulation_named(of.formulation);
+    const auto& formulation = command_line::formulation_named(of.formulation);
     const unsigned long last = of.perturbation == 0 ? 1 : seeds;
     std::array<std::vector<double>, 3> samples;
     for (unsigned long seed = 1; seed <= last; ++seed) {
@@ -42,7 +43,7 @@ std::array<std::optional<double>, 3> errors(const Square& of, Index N, unsigned 
             samples[0].push_back(derivatives.first);
             samples[1].push_back(derivatives.second);
             samples[2].push_back(static_test::error(formulation, discrete, static_test::exponential_load()));
-        } catch (const particles::FailedComputation&) {  // too few neighbours, or no displacement
+        } catch (const base::FailedComputation&) {  // too few neighbours, or no displacement
         }
     }
     std::array<std::optional<double>, 3> medians;
@@ -74,7 +75,7 @@ std::vector<report::Cell> orders(const Square& of, unsigned long seeds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Map of orders: the observed order of the errors of DB, D2B and u for exp, by formulation, kernel "
         "and h/delta, "
         "on equidistant and on perturbed particles.",
@@ -93,18 +94,17 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    programs::Figure figure{"asprone2010/figure_orders.gp", "formulation", "smoothing", "order_second",
-                            false};
-    programs::add_plot_option(app, figure);
+    command_line::Figure figure{"asprone2010/figure_orders.gp", "formulation", "smoothing", "order_second",
+                                false};
+    command_line::add_plot_option(app, figure);
 
-    return programs::run(app, argc, argv, threads, output, figure, [&] {
-        figure.told["step"] = particles::shown(step);
+    return command_line::run(app, argc, argv, threads, output, figure, [&] {
+        figure.told["step"] = base::shown(step);
         if (!(from > 0 && to >= from && step > 0 && (to - from) / step <= 1000))  // nor for what is no number
-            throw particles::InvalidInput("h/delta from " + particles::shown(from) + " to " +
-                                          particles::shown(to) + " in steps of " + particles::shown(step) +
-                                          " is no range of 1 to 1000 steps");
+            throw base::InvalidInput("h/delta from " + base::shown(from) + " to " + base::shown(to) +
+                                     " in steps of " + base::shown(step) + " is no range of 1 to 1000 steps");
         std::vector<Square> squares;
-        for (const auto& formulation : programs::formulations())
+        for (const auto& formulation : command_line::formulations())
             particles::for_each_kernel([&](const particles::Kernel& kernel) {
                 for (const double perturbation : {0.0, 0.25})
                     for (long k = 0; k <= std::lround(std::floor((to - from) / step + 1e-9)); ++k)
@@ -130,8 +130,8 @@ int main(int argc, char** argv) {
                          {"constant_second", {1e-3, 1e-6}},
                          {"constant_displacement", {5e-2, 1e-6}}};
         table.rows.resize(squares.size());
-        programs::Progress progress(squares.size(), std::cerr, isatty(STDERR_FILENO) != 0);
-        particles::for_each_index(static_cast<Index>(squares.size()), [&](Index k) {
+        command_line::Progress progress(squares.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+        base::for_each_index(static_cast<Index>(squares.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             const Square& of = squares[at];
             table.rows[at] = {of.formulation, of.kernel, of.smoothing, of.perturbation};

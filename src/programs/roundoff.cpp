@@ -8,15 +8,16 @@
 
 #include "asprone2010/limit_stencils.hpp"
 #include "asprone2010/section_5_1_derivative_test.hpp"
-#include "particles/parallel.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
-#include "programs/progress.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
+#include "command_line/progress.hpp"
 
 namespace {
 
 using namespace asprone2010;
-using particles::Quad;
+using base::Quad;
 
 /// What the stencil at the end x = 1 says of the error of D²B for B = exp.
 struct Prediction {
@@ -35,7 +36,7 @@ struct Prediction {
 
 Prediction predicted(const std::string& formulation) {
     const auto [line, smoothing] = limit_stencils::right_end<Quad>({}, 0, 1);
-    const auto of_line = programs::formulation_named<Quad>(formulation).operators(line, smoothing);
+    const auto of_line = command_line::formulation_named<Quad>(formulation).operators(line, smoothing);
     const auto end = limit_stencils::row<Quad>(of_line.D2, line, line.size() - 1, 1, 2);
     const auto [exponent, constant] = limit_stencils::leading_error(end, 2);
     const double e = std::exp(1.0);
@@ -51,9 +52,10 @@ struct Case {
 template <class Scalar>
 double error(const Case& of) {
     const auto discrete = numerical_tests::discretise<Scalar>({}, of.N, 1);
-    return static_cast<double>(derivative_test::errors(programs::formulation_named<Scalar>(of.formulation),
-                                                       discrete, derivative_test::exponential<Scalar>())
-                                   .second);
+    return static_cast<double>(
+        derivative_test::errors(command_line::formulation_named<Scalar>(of.formulation), discrete,
+                                derivative_test::exponential<Scalar>())
+            .second);
 }
 
 /// Two numbers of particles a decade, 1 and 3, up to the most.
@@ -69,7 +71,7 @@ std::vector<Index> numbers(Index most) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "The floor of each precision: measured errors of D2B for exp, beside the truncation and the "
         "round-off that the "
         "stencil at the end predicts.",
@@ -90,12 +92,13 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    programs::Figure figure{"asprone2010/figure_precision.gp", "formulation", "particles", "error_second"};
-    programs::add_plot_option(app, figure);
+    command_line::Figure figure{"asprone2010/figure_precision.gp", "formulation", "particles",
+                                "error_second"};
+    command_line::add_plot_option(app, figure);
 
-    return programs::run(app, argc, argv, threads, output, figure, [&] {
+    return command_line::run(app, argc, argv, threads, output, figure, [&] {
         if (!figure.path.empty() && wanted != std::vector<std::string>{"modified_fpm", "second_order_fpm"})
-            throw particles::InvalidInput(
+            throw base::InvalidInput(
                 "--plot draws the two formulations of the default; leave --formulation out");
         std::vector<Case> cases;
         std::vector<Prediction> predictions;
@@ -108,19 +111,18 @@ int main(int argc, char** argv) {
         for (const std::string& formulation : wanted) {
             const Prediction of = predicted(formulation);
             if (of.exponent < 1)
-                throw particles::InvalidInput(
+                throw base::InvalidInput(
                     "the error of " + formulation +
                     " does not fall with delta: no precision limits it; choose one of order "
                     "1 or 2");
             for (const char* precision : {"double", "long", "quad"}) {
-                const double epsilon = programs::in_precision(precision, [](auto zero) {
+                const double epsilon = command_line::in_precision(precision, [](auto zero) {
                     return static_cast<double>(std::numeric_limits<decltype(zero)>::epsilon());
                 });
                 const double best = of.best_spacing(epsilon);
-                table.comments.push_back(
-                    formulation + ", " + precision + ": best error predicted " +
-                    particles::shown(of.truncation(best) + of.round_off(best, epsilon), 3) + " at " +
-                    particles::shown(1 + 1 / best, 3) + " particles");
+                table.comments.push_back(formulation + ", " + precision + ": best error predicted " +
+                                         base::shown(of.truncation(best) + of.round_off(best, epsilon), 3) +
+                                         " at " + base::shown(1 + 1 / best, 3) + " particles");
                 for (const Index N : numbers(std::string(precision) == "quad" ? most_quad : most)) {
                     cases.push_back({formulation, precision, N});
                     predictions.push_back(of);
@@ -135,12 +137,12 @@ int main(int argc, char** argv) {
                          {"predicted_truncation", {1e-9, 0}},
                          {"predicted_roundoff", {1e-9, 0}}};
         table.rows.resize(cases.size());
-        programs::Progress progress(cases.size(), std::cerr, isatty(STDERR_FILENO) != 0);
-        particles::for_each_index(static_cast<Index>(cases.size()), [&](Index k) {
+        command_line::Progress progress(cases.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+        base::for_each_index(static_cast<Index>(cases.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             const Case& of = cases[at];
             const double spacing = 1 / static_cast<double>(of.N - 1);
-            programs::in_precision(of.precision, [&](auto zero) {
+            command_line::in_precision(of.precision, [&](auto zero) {
                 using Scalar = decltype(zero);
                 const auto epsilon = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
                 table.rows[at] = {of.formulation,

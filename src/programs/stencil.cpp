@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "asprone2010/limit_stencils.hpp"
+#include "base/text.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
 
 namespace {
 
 using namespace asprone2010;
+using base::shown;
 using particles::Neighbourhood;
-using particles::shown;
 
 /// Ratio of the largest to the least singular value.
 template <class Matrix>
@@ -67,7 +68,7 @@ std::vector<std::string> terms(const limit_stencils::Stencil<double>& of, int de
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "One particle's weights for D and D2, in units of 1/delta and 1/delta^2, their moments, and the "
         "terms of "
         "Taylor's expansion that they get wrong.",
@@ -75,34 +76,34 @@ int main(int argc, char** argv) {
         "Example: stencil --formulation modified_fpm --particle 0\n"
         "Another: stencil --formulation second_order_fpm --particles 20 --particle 3 --perturb 0.25 --seed "
         "7");
-    programs::Options options;
+    command_line::Options options;
     options.particles = {50};
-    programs::add_options(app, options);
+    command_line::add_options(app, options);
     long particle = 0;
     app.add_option("--particle", particle, "which particle, from 0 (default 0)").type_name("I");
 
-    return programs::run(app, argc, argv, options, [&] {
+    return command_line::run(app, argc, argv, options, [&] {
         if (!options.figure.path.empty())
-            throw particles::InvalidInput("a stencil has no figure; leave --plot out");
-        const std::vector<programs::Case> asked = programs::cases(options);
+            throw base::InvalidInput("a stencil has no figure; leave --plot out");
+        const std::vector<command_line::Case> asked = command_line::cases(options);
         if (asked.size() != 1)
-            throw particles::InvalidInput(
+            throw base::InvalidInput(
                 "a stencil is that of one formulation on one line of particles, not of " +
                 std::to_string(asked.size()) + "; name one --formulation, and one number of --particles");
-        const programs::Case& of = asked.front();
-        const auto discrete = programs::discretise(options, of);
+        const command_line::Case& of = asked.front();
+        const auto discrete = command_line::discretise(options, of);
         const auto& [line, smoothing] = discrete;
         if (particle < 0 || particle >= line.size())
-            throw particles::InvalidInput("there is no particle " + std::to_string(particle) +
-                                          "; choose 0 to " + std::to_string(line.size() - 1));
-        const auto [D, D2] = programs::formulation_named(of.formulation).operators(line, smoothing);
+            throw base::InvalidInput("there is no particle " + std::to_string(particle) + "; choose 0 to " +
+                                     std::to_string(line.size() - 1));
+        const auto [D, D2] = command_line::formulation_named(of.formulation).operators(line, smoothing);
         const auto first = limit_stencils::row<double>(D, line, particle, line.spacing(), 1);
         const auto second = limit_stencils::row<double>(D2, line, particle, line.spacing(), 2);
 
         report::Table table;
         table.comments = {of.formulation + ", particle " + std::to_string(particle) + " of " +
                           std::to_string(line.size()) + ", x = " + shown(line.x()[particle])};
-        for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
+        for (const std::string& comment : command_line::described(options)) table.comments.push_back(comment);
         table.comments.push_back(
             conditions(of.formulation, particles::neighbourhood(line, smoothing, particle)));
         for (const int derivative : {1, 2})

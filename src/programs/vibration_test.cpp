@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "asprone2010/limit_stencils.hpp"
-#include "programs/formulations.hpp"
-#include "programs/options.hpp"
-#include "programs/room.hpp"
+#include "base/memory.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
 
 namespace {
 
@@ -16,13 +16,13 @@ using namespace asprone2010;
 
 /// What the symbol of D² makes of the N − 2 waves that vanish at both ends of the line: their frequencies in increasing order.
 /// None for the finite elements and for particles that do not lie on a lattice.
-std::vector<double> symbol_frequencies(const programs::Options& options, const programs::Case& of) {
+std::vector<double> symbol_frequencies(const command_line::Options& options, const command_line::Case& of) {
     if (of.formulation.starts_with("fem") || of.perturbation != 0 || options.positions.size() > 0) return {};
     const numerical_tests::Discretisation how{particles::volumes_named(options.volumes),
                                               particles::kernel_named(options.kernel), options.smoothing};
     const Index rows = limit_stencils::first_interior<double>(how);
     const auto [line, smoothing] = limit_stencils::right_end<double>(how, rows, 1.0);
-    const auto operators = programs::formulation_named(of.formulation).operators(line, smoothing);
+    const auto operators = command_line::formulation_named(of.formulation).operators(line, smoothing);
     const auto inside = limit_stencils::row<double>(operators.D2, line, line.size() - 1 - rows, 1.0, 2);
     std::vector<double> frequencies;
     for (Index n = 1; n + 1 < of.particles; ++n) {
@@ -37,7 +37,7 @@ std::vector<double> symbol_frequencies(const programs::Options& options, const p
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Section 5.3 of Asprone et al. (2010): natural frequencies of an elastic rod that is fixed at both "
         "ends.",
         "vibration_test",
@@ -45,10 +45,10 @@ int main(int argc, char** argv) {
         "Another: vibration_test --formulation second_order_fpm --particles 1000000 --lowest 10\n"
         "A third: vibration_test --particles 50 --perturb 0.2 --smoothing-from largest");
     const std::vector<std::string> references{"fem_lumped", "fem_consistent"};
-    programs::Options options;
+    command_line::Options options;
     options.particles = {100};
     options.figure = {"asprone2010/figure_3.gp", "formulation", "particles", "ratio"};
-    programs::add_options(app, options, references);
+    command_line::add_options(app, options, references);
     long lowest = 0;
     app.add_option(
            "--lowest", lowest,
@@ -57,16 +57,16 @@ int main(int argc, char** argv) {
         .type_name("K")
         .within(1, 100);
 
-    return programs::run(app, argc, argv, options, [&] {
+    return command_line::run(app, argc, argv, options, [&] {
         using vibration_test::Mass;
         if (options.median)
-            throw particles::InvalidInput("vibration_test has no --median: a spectrum is a row per mode");
+            throw base::InvalidInput("vibration_test has no --median: a spectrum is a row per mode");
         if (!options.figure.path.empty() && options.particles.size() * options.perturbations.size() > 1)
-            throw particles::InvalidInput(
+            throw base::InvalidInput(
                 "--plot draws one spectrum for each formulation; take one number of particles and one "
                 "perturbation");
         for (const long N : lowest > 0 ? std::vector<long>{} : options.particles)  // up to four full matrices
-            programs::check_room("the eigenvalues on " + std::to_string(N) + " particles",
+            base::require_memory("the eigenvalues on " + std::to_string(N) + " particles",
                                  4 * sizeof(double) * static_cast<double>(N) * static_cast<double>(N),
                                  "take fewer particles");
         if (options.perturbations == std::vector<double>{0} && options.positions.size() == 0)
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
             "ratio_symbol: the same of the symbol of D2 on an infinite lattice, at the waves that fit "
             "between the "
             "ends; empty where particles do not lie on a lattice"};
-        for (const std::string& comment : programs::described(options)) table.comments.push_back(comment);
+        for (const std::string& comment : command_line::described(options)) table.comments.push_back(comment);
         table.columns = {{"formulation"},
                          {"particles"},
                          {"perturbation"},
@@ -92,24 +92,23 @@ int main(int argc, char** argv) {
                          {"ratio_symbol", {1e-8, 1e-9}}};
         if (lowest > 0) {
             if (!options.figure.path.empty())
-                throw particles::InvalidInput("--plot draws whole spectra; leave --lowest out");
+                throw base::InvalidInput("--plot draws whole spectra; leave --lowest out");
             table.comments[2] = "residual: |x/omega^2 + inverse(K) x| / |x/omega^2|, K of (52)";
             table.columns.back() = {"residual", {1, 1e-9}};
         }
-        for (const programs::Case& of :
-             programs::cases(options, lowest > 0 ? std::vector<std::string>{} : references)) {
-            const auto discrete = programs::discretise(options, of);
+        for (const command_line::Case& of :
+             command_line::cases(options, lowest > 0 ? std::vector<std::string>{} : references)) {
+            const auto discrete = command_line::discretise(options, of);
             if (of.particles < 3)
-                throw particles::InvalidInput(
-                    "2 particles fixed at both ends cannot vibrate; take at least 3");
+                throw base::InvalidInput("2 particles fixed at both ends cannot vibrate; take at least 3");
             if (lowest > 0) {
                 if (of.particles < lowest + 4)
-                    throw particles::InvalidInput("--lowest " + std::to_string(lowest) + " needs at least " +
-                                                  std::to_string(lowest + 4) + " particles, got " +
-                                                  std::to_string(of.particles));
-                const auto operators =
-                    programs::formulation_named(of.formulation).operators(discrete.line, discrete.smoothing);
-                const auto [perturbation, seed] = programs::drawn(options, of);
+                    throw base::InvalidInput("--lowest " + std::to_string(lowest) + " needs at least " +
+                                             std::to_string(lowest + 4) + " particles, got " +
+                                             std::to_string(of.particles));
+                const auto operators = command_line::formulation_named(of.formulation)
+                                           .operators(discrete.line, discrete.smoothing);
+                const auto [perturbation, seed] = command_line::drawn(options, of);
                 long n = 0;
                 for (const vibration_test::Mode& mode : vibration_test::lowest_modes(operators.D2, lowest)) {
                     const double exact = vibration_test::exact_frequency(++n);
@@ -124,9 +123,9 @@ int main(int argc, char** argv) {
                     ? vibration_test::finite_element_frequencies(discrete.line, Mass::lumped)
                 : of.formulation == "fem_consistent"
                     ? vibration_test::finite_element_frequencies(discrete.line, Mass::consistent)
-                    : vibration_test::frequencies(programs::formulation_named(of.formulation), discrete);
+                    : vibration_test::frequencies(command_line::formulation_named(of.formulation), discrete);
             const std::vector<double> symbol = symbol_frequencies(options, of);
-            const auto [perturbation, seed] = programs::drawn(options, of);
+            const auto [perturbation, seed] = command_line::drawn(options, of);
             for (std::size_t k = 0; k < frequencies.size(); ++k) {
                 const auto n = static_cast<Index>(k + 1);
                 const double exact = vibration_test::exact_frequency(n);

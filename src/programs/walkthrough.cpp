@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "particles/errors.hpp"
-#include "programs/command_line.hpp"
+#include "base/errors.hpp"
+#include "command_line/command_line.hpp"
 #include "report/file.hpp"
 #include "report/papers.hpp"
 #include "report/table.hpp"
 
 namespace {
 
-using particles::FailedComputation;
+using base::FailedComputation;
 using report::Paper;
 using report::read_whole;
 using report::Table;
@@ -321,7 +321,7 @@ std::string with_part(const std::string& text, const std::string& part) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    programs::CommandLine app(
+    command_line::CommandLine app(
         "Writes the generated pages of the walkthrough and the README's table, and checks that every "
         "equation has code and "
         "test. It runs in the top folder.",
@@ -333,7 +333,7 @@ int main(int argc, char** argv) {
         .type_name("FILE");
     app.add_flag("--write-readme", write_readme, "write the table of README.md anew");
     app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
-    return programs::run(app, argc, argv, [&] {
+    return command_line::run(app, argc, argv, [&] {
         const Table equations = table_of("paper/equations.csv"), claims = table_of("paper/claims.csv");
         check_equations(equations);
         const std::vector<Reproduction> all = reproductions(equations, claims);

@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 
 namespace report {
 
@@ -25,9 +25,8 @@ namespace {
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 [[noreturn]] void fail(const std::string& action, const std::string& path) {
-    throw particles::FailedComputation("cannot " + action + " " +
-                                       (path.empty() ? "the standard output" : path) + ": " +
-                                       std::strerror(errno));
+    throw base::FailedComputation("cannot " + action + " " + (path.empty() ? "the standard output" : path) +
+                                  ": " + std::strerror(errno));
 }
 
 /// The number of an open file that a path stands for, such as /dev/stdout or /dev/fd/3. It is written to as it is open: a file behind
@@ -150,7 +149,7 @@ std::string read_whole(const std::string& path) {
     std::array<char, 65536> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
         if (text.append(buffer.data(), count).size() > most_bytes)
-            throw particles::FailedComputation("cannot read " + path + ": it holds more than a gigabyte");
+            throw base::FailedComputation("cannot read " + path + ": it holds more than a gigabyte");
     if (std::ferror(file.get()) != 0) fail("read", path);
     return text;
 }

@@ -22,16 +22,16 @@ class Uninterrupted {
 
 /// Refuses, before anything is computed, a file that could not be written in the end.
 /// \param path the file; empty for the standard output
-/// \throws particles::FailedComputation naming the file and the system's reason
+/// \throws base::FailedComputation naming the file and the system's reason
 void check_writable(const std::string& path);
 
 /// Writes a text to a file as a whole: to a temporary file beside it, which takes the file's name when it is complete. An
 /// existing file stays as it is until then. A link is followed; what is no regular file, such as a pipe, is written directly.
 /// \param path the file; empty for the standard output
-/// \throws particles::FailedComputation naming the file and the system's reason
+/// \throws base::FailedComputation naming the file and the system's reason
 void write_whole(const std::string& path, const std::string& text);
 
-/// \throws particles::FailedComputation naming the file and the system's reason, or for more than a gigabyte
+/// \throws base::FailedComputation naming the file and the system's reason, or for more than a gigabyte
 std::string read_whole(const std::string& path);
 
 }  // namespace report

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 
 namespace report {
 
@@ -22,7 +22,7 @@ std::vector<Paper> papers(const Table& table) {
 const Paper& paper_named(const std::string& folder, const std::vector<Paper>& papers) {
     const auto found = std::find_if(papers.begin(), papers.end(),
                                     [&](const Paper& paper) { return paper.folder == folder; });
-    if (found == papers.end()) throw particles::InvalidInput("there is no paper '" + folder + "'");
+    if (found == papers.end()) throw base::InvalidInput("there is no paper '" + folder + "'");
     return *found;
 }
 
@@ -33,7 +33,7 @@ std::map<std::string, Table> by_paper(const Table& table, const std::vector<Pape
         const std::string key = table.word(row, table.columns.front().name);
         const auto of = std::find_if(papers.begin(), papers.end(),
                                      [&](const Paper& paper) { return key.starts_with(paper.letter); });
-        if (of == papers.end()) throw particles::FailedComputation(key + " belongs to no paper");
+        if (of == papers.end()) throw base::FailedComputation(key + " belongs to no paper");
         parts[of->folder].rows.push_back(table.rows[row]);
     }
     return parts;

@@ -20,12 +20,12 @@ struct Paper {
 /// The papers of paper/papers.csv, in its order.
 std::vector<Paper> papers(const Table& table);
 
-/// A paper by its folder. \throws particles::InvalidInput where there is none of that name
+/// A paper by its folder. \throws base::InvalidInput where there is none of that name
 const Paper& paper_named(const std::string& folder, const std::vector<Paper>& papers);
 
 /// The rows of a table whose first entry is an equation's or a claim's key, by the folder of the paper that the key belongs to.
 /// Every paper has its part, if an empty one.
-/// \throws particles::FailedComputation naming a key that belongs to no paper
+/// \throws base::FailedComputation naming a key that belongs to no paper
 std::map<std::string, Table> by_paper(const Table& table, const std::vector<Paper>& papers);
 
 }  // namespace report

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 
 namespace report {
 
@@ -20,7 +20,7 @@ struct Quartiles {
 
 /// \param sample at least one number
 inline Quartiles quartiles(std::vector<double> sample) {
-    if (sample.empty()) throw particles::InvalidInput("an empty sample has no median");
+    if (sample.empty()) throw base::InvalidInput("an empty sample has no median");
     std::sort(sample.begin(), sample.end());
     const auto quantile = [&](double fraction) {
         return gsl_stats_quantile_from_sorted_data(sample.data(), 1, sample.size(), fraction);
@@ -33,9 +33,8 @@ inline Quartiles quartiles(std::vector<double> sample) {
 /// \param error errors, positive, as many
 inline double observed_order(const std::vector<double>& spacing, const std::vector<double>& error) {
     if (spacing.size() < 2 || spacing.size() != error.size())
-        throw particles::InvalidInput("an order needs at least two spacings and as many errors, got " +
-                                      std::to_string(spacing.size()) + " and " +
-                                      std::to_string(error.size()));
+        throw base::InvalidInput("an order needs at least two spacings and as many errors, got " +
+                                 std::to_string(spacing.size()) + " and " + std::to_string(error.size()));
     std::vector<double> x, y;
     for (std::size_t k = 0; k < spacing.size(); ++k) {
         x.push_back(std::log(spacing[k]));
@@ -45,8 +44,7 @@ inline double observed_order(const std::vector<double>& spacing, const std::vect
     std::array<double, 4> unused{};
     gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, unused.data(), &unused[1],
                    &unused[2], &unused[3]);
-    if (!std::isfinite(slope))
-        throw particles::InvalidInput("errors that are zero or negative have no order");
+    if (!std::isfinite(slope)) throw base::InvalidInput("errors that are zero or negative have no order");
     return slope;
 }
 

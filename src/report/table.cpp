@@ -7,12 +7,13 @@
 #include <system_error>
 #include <utility>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
 
 namespace report {
 
-using particles::FailedComputation;
-using particles::shown;
+using base::FailedComputation;
+using base::shown;
 
 namespace {
 

@@ -31,18 +31,18 @@ struct Table {
     /// The word in a row's column; a number as it is shown. \throws as column()
     [[nodiscard]] std::string word(std::size_t row, const std::string& name) const;
 
-    /// Index of a column. \throws particles::FailedComputation where there is none of that name
+    /// Index of a column. \throws base::FailedComputation where there is none of that name
     [[nodiscard]] std::size_t column(const std::string& name) const;
 };
 
 /// The table as CSV: a block of comments (#), among them the tolerances, then a row of names, then the rows. Numbers are
 /// written in the C locale.
-/// \throws particles::FailedComputation for a number that is not finite or a row of another length, naming row and column
+/// \throws base::FailedComputation for a number that is not finite or a row of another length, naming row and column
 std::string csv(const Table& table);
 
 /// The inverse of csv(): entries that read as numbers become real numbers, empty ones stay empty. Words in quotes may hold
 /// commas and doubled quotes, not line breaks.
-/// \throws particles::FailedComputation naming the line that is no row of the table
+/// \throws base::FailedComputation naming the line that is no row of the table
 Table parsed(const std::string& csv);
 
 /// The same with every entry as it is written, for keys that only look like numbers: 4.10 is not 4.1.

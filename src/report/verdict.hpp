@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 
 namespace report {
 
@@ -16,13 +16,13 @@ struct Statement {
 };
 
 /// Does a measured number fit the statement? NaN fits none.
-/// \throws particles::InvalidInput for an unknown relation
+/// \throws base::InvalidInput for an unknown relation
 inline bool fits(const Statement& statement, double measured) {
     const auto& [relation, expected, tolerance] = statement;
     if (relation == "=") return std::abs(measured - expected) <= tolerance;
     if (relation == "<") return measured < expected;
     if (relation == ">") return measured > expected;
-    throw particles::InvalidInput("there is no relation '" + relation + "'; choose =, < or >");
+    throw base::InvalidInput("there is no relation '" + relation + "'; choose =, < or >");
 }
 
 /// A measured number under a condition; the condition is empty for the claim as it stands.

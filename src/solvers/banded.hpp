@@ -10,9 +10,10 @@
 #include <limits>
 #include <string>
 
-#include "particles/errors.hpp"
-#include "particles/large_pages.hpp"
-#include "particles/parallel.hpp"
+#include "base/errors.hpp"
+#include "base/memory.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
 
 /// Thin faces over libraries that solve linear systems and eigenvalue problems.
 namespace solvers {
@@ -20,12 +21,12 @@ namespace solvers {
 namespace detail {
 
 /// 1 over the largest entry of each row: rows of boundary conditions and of equilibrium differ by powers of δ.
-/// \throws particles::FailedComputation for a row of zeros and for entries that are not finite
+/// \throws base::FailedComputation for a row of zeros and for entries that are not finite
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor>& A) {
     using std::abs, std::isfinite;
     Eigen::Array<Scalar, Eigen::Dynamic, 1> scale(A.rows());
-    particles::for_each_index(A.rows(), [&](Eigen::Index i) {
+    base::for_each_index(A.rows(), [&](Eigen::Index i) {
         Scalar largest(0);
         bool finite = true;
         for (typename Eigen::SparseMatrix<Scalar, Eigen::RowMajor>::InnerIterator entry(A, i); entry;
@@ -36,23 +37,23 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Sca
         }
         scale[i] = 1 / largest;
         if (!finite || !isfinite(scale[i]))
-            throw particles::FailedComputation("row " + std::to_string(i) +
-                                               " of the linear system is zero or not finite; take another "
-                                               "smoothing length or other particles");
+            throw base::FailedComputation("row " + std::to_string(i) +
+                                          " of the linear system is zero or not finite; take another "
+                                          "smoothing length or other particles");
     });
     return scale;
 }
 
 [[noreturn]] inline void refuse(Eigen::Index unknowns, double reciprocal_condition) {
-    throw particles::FailedComputation(
+    throw base::FailedComputation(
         "the linear system of " + std::to_string(unknowns) + " unknowns is singular (reciprocal condition " +
-        particles::shown(reciprocal_condition, 2) + "); take another formulation or other particles");
+        base::shown(reciprocal_condition, 2) + "); take another formulation or other particles");
 }
 
 template <class Scalar>
 void require_finite(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& b) {
     if (!b.allFinite())
-        throw particles::FailedComputation("the linear system has a right-hand side that is not finite");
+        throw base::FailedComputation("the linear system has a right-hand side that is not finite");
 }
 
 }  // namespace detail
@@ -67,7 +68,7 @@ template <class Scalar = double>
 class BandedFactors {
   public:
     /// \param A square, N × N
-    /// \throws particles::FailedComputation where a pivot vanishes or an entry is not finite
+    /// \throws base::FailedComputation where a pivot vanishes or an entry is not finite
     explicit BandedFactors(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor>& A)
         : scale_(detail::row_scales(A)) {
         const Eigen::SparseMatrix<Scalar> scaled = scale_.matrix().asDiagonal() * A;
@@ -86,7 +87,7 @@ class BandedFactors {
     /// Estimate of 1/(‖A‖ ‖A⁻¹‖) in the 1-norm, the rows of A scaled. It takes about five solutions.
     [[nodiscard]] Scalar reciprocal_condition() const { return 1 / (norm_ * norm_of_inverse()); }
 
-    /// \throws particles::FailedComputation where A is singular to working precision, saying how nearly
+    /// \throws base::FailedComputation where A is singular to working precision, saying how nearly
     void require_regular() const {
         const Scalar reciprocal = reciprocal_condition();
         if (!(reciprocal > std::numeric_limits<Scalar>::epsilon()))
@@ -130,7 +131,7 @@ class BandedFactors<double> {
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
     /// \param A square, N × N; its bandwidths are found from its entries
-    /// \throws particles::FailedComputation where a pivot vanishes or an entry is not finite
+    /// \throws base::FailedComputation where a pivot vanishes or an entry is not finite
     explicit BandedFactors(const Matrix& A)
         : N_(static_cast<lapack_int>(A.rows())), scale_(detail::row_scales(A)), pivots_(N_) {
         for (lapack_int i = 0; i < N_; ++i) {
@@ -142,10 +143,10 @@ class BandedFactors<double> {
         // the factorisation.
         const lapack_int diagonal = below_ + above_;
         band_.resize(below_ + diagonal + 1, N_);
-        particles::prefer_large_pages(band_.data(), band_.size());
+        base::prefer_large_pages(band_.data(), band_.size());
         constexpr lapack_int block = 1024;
         Eigen::ArrayXd norm_of_block((N_ + block - 1) / block);
-        particles::for_each_index(norm_of_block.size(), [&](Eigen::Index b) {
+        base::for_each_index(norm_of_block.size(), [&](Eigen::Index b) {
             const auto first = static_cast<lapack_int>(b) * block, last = std::min(first + block, N_);
             band_.middleCols(first, last - first).setZero();
             for (lapack_int i = std::max(first - below_, 0); i < std::min(last + below_, N_); ++i)
@@ -163,7 +164,7 @@ class BandedFactors<double> {
     /// Estimate of 1/(‖A‖ ‖A⁻¹‖) in the 1-norm, the rows of A scaled. It takes five solutions.
     [[nodiscard]] double reciprocal_condition() const { return 1 / (norm_ * norm_of_inverse()); }
 
-    /// \throws particles::FailedComputation where A is singular to working precision, saying how nearly
+    /// \throws base::FailedComputation where A is singular to working precision, saying how nearly
     void require_regular() const {
         const double reciprocal = reciprocal_condition();
         if (!(reciprocal > std::numeric_limits<double>::epsilon())) detail::refuse(N_, reciprocal);
@@ -206,7 +207,7 @@ class BandedFactors<double> {
 
 /// Solves A x = b for a matrix whose entries lie near the diagonal.
 /// \param A square, N × N \param b N numbers
-/// \throws particles::FailedComputation where A is singular to working precision or an entry is not finite
+/// \throws base::FailedComputation where A is singular to working precision or an entry is not finite
 template <class Scalar>
 Eigen::Array<Scalar, Eigen::Dynamic, 1> solve_banded(const Eigen::SparseMatrix<Scalar, Eigen::RowMajor>& A,
                                                      const Eigen::Array<Scalar, Eigen::Dynamic, 1>& b) {

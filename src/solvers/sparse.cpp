@@ -1,3 +1,4 @@
+
 #include "solvers/sparse.hpp"
 
 #include <unsupported/Eigen/IterativeSolvers>
@@ -48,8 +49,8 @@ std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::Vector
 
 Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest) {
     const auto refuse = [&](const std::string& why) {
-        throw particles::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
-                                           why + "; take another scaling factor or other particles");
+        throw base::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
+                                      why + "; take another scaling factor or other particles");
     };
     scale_rows(A, b, nearest);
     for (Eigen::Index row = 0; row < A.rows(); ++row)
@@ -63,7 +64,7 @@ Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest
     Eigen::VectorXd x = factors.solve(b);
     const double residual = relative_residual(A, x, b);
     if (!(residual < largest_residual))
-        refuse("was not solved (relative residual " + particles::shown(residual, 2) + ")");
+        refuse("was not solved (relative residual " + base::shown(residual, 2) + ")");
     return x;
 }
 

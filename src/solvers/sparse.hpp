@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
+#include "base/parallel.hpp"
 #include "particles/operators.hpp"
-#include "particles/parallel.hpp"
 
 namespace solvers {
 
@@ -26,16 +26,15 @@ inline SparseRows rows_in_pairs(const std::vector<std::vector<int>>& near) {
     std::size_t entries = 0;
     for (const auto& neighbours : near) entries += 4 * neighbours.size();
     if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw particles::InvalidInput(
-            "a system of " + std::to_string(entries) +
-            " entries is too large; take fewer particles or a smaller scaling factor");
+        throw base::InvalidInput("a system of " + std::to_string(entries) +
+                                 " entries is too large; take fewer particles or a smaller scaling factor");
     SparseRows A(2 * N, 2 * N);
     A.resizeNonZeros(static_cast<Index>(entries));
     A.outerIndexPtr()[0] = 0;
     for (Index i = 0; i < 2 * N; ++i)
         A.outerIndexPtr()[i + 1] =
             A.outerIndexPtr()[i] + 2 * static_cast<int>(near[static_cast<std::size_t>(i / 2)].size());
-    particles::for_each_index(N, [&](Index i) {
+    base::for_each_index(N, [&](Index i) {
         for (int row = 0; row < 2; ++row) {
             int* column = A.innerIndexPtr() + A.outerIndexPtr()[2 * i + row];
             for (const int j : near[static_cast<std::size_t>(i)]) {
@@ -68,7 +67,7 @@ inline void scale_rows(SparseRows& A, Eigen::VectorXd& b, SparseRows& nearest) {
         const int first = of.outerIndexPtr()[row];
         return Eigen::Map<Eigen::ArrayXd>(of.valuePtr() + first, of.outerIndexPtr()[row + 1] - first);
     };
-    particles::for_each_index(A.rows(), [&](Eigen::Index row) {
+    base::for_each_index(A.rows(), [&](Eigen::Index row) {
         double largest = 0;
         for (const double entry : values(A, row)) largest = std::max(largest, std::abs(entry));
         const double scale = 1 / largest;
@@ -81,7 +80,7 @@ inline void scale_rows(SparseRows& A, Eigen::VectorXd& b, SparseRows& nearest) {
 /// What is left of a system's largest row, against the sizes of the terms that it sums.
 inline double relative_residual(const SparseRows& A, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
     Eigen::VectorXd left(A.rows()), size(A.rows());
-    particles::for_each_index(A.rows(), [&](Eigen::Index row) {
+    base::for_each_index(A.rows(), [&](Eigen::Index row) {
         double sum = 0, terms = 0;
         for (SparseRows::InnerIterator entry(A, row); entry; ++entry) {
             sum += entry.value() * x[entry.col()];
@@ -153,7 +152,7 @@ std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::Vector
 /// Solves A x = b, after the rows are scaled: iterated() if the same equations on the nearest particles are given, and where that
 /// fails or they are not by a sparse factorisation of A.
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
-/// \throws particles::FailedComputation where A is singular to working precision or the residual stays large
+/// \throws base::FailedComputation where A is singular to working precision or the residual stays large
 Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest = {});
 
 }  // namespace solvers

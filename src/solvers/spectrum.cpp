@@ -34,9 +34,8 @@ Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index
     solver.init();
     solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10);
     if (solver.info() != Spectra::CompInfo::Successful)
-        throw particles::FailedComputation("the lowest " + std::to_string(count) +
-                                           " eigenvalues of a matrix of " + std::to_string(N) +
-                                           " rows were not found");
+        throw base::FailedComputation("the lowest " + std::to_string(count) + " eigenvalues of a matrix of " +
+                                      std::to_string(N) + " rows were not found");
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("formulations: names are those of the papers' tables, each once, in th
     CHECK_THROWS_WITH_AS(formulation_named<double>("sph"),
                          "there is no formulation 'sph'; choose all or some of original, chen_beraun, "
                          "rkpm_first_order, rkpm_second_order, fpm, modified_fpm, second_order_fpm",
-                         particles::InvalidInput);
+                         base::InvalidInput);
 }
 
 TEST_CASE(
@@ -88,7 +88,7 @@ TEST_CASE(
         if (formulation.name == "chen_beraun")
             CHECK(Eigen::MatrixXd(unchecked().D2).cwiseAbs().maxCoeff() < 1e-12);
         else
-            CHECK_THROWS_AS(static_cast<void>(unchecked()), particles::FailedComputation);
+            CHECK_THROWS_AS(static_cast<void>(unchecked()), base::FailedComputation);
     }
 }
 

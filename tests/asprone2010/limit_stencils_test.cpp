@@ -121,5 +121,5 @@ TEST_CASE("limit_stencils: a row that is exact beyond the twelfth derivative has
             if (k != j && k != 6 && j != 6) weight *= -((k - 6) / 6.0) / (derivative.r[j] - (k - 6) / 6.0);
         derivative.w[j] = weight;
     }
-    CHECK_THROWS_AS(leading_error(derivative, 1), particles::FailedComputation);
+    CHECK_THROWS_AS(leading_error(derivative, 1), base::FailedComputation);
 }

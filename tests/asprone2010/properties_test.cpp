@@ -1,4 +1,5 @@
 #include "tests/properties.hpp"
+#include "base/text.hpp"
 
 #include <Eigen/LU>
 #include <vector>
@@ -26,8 +27,7 @@ struct Case {
     [[nodiscard]] std::string description() const {
         const auto N = static_cast<double>(x.size() - 1);
         return std::to_string(x.size()) + " particles, " + name(kernel) + ", volumes " + name(volumes) +
-               ", (N - 1) h from " + particles::shown(N * h.minCoeff()) + " to " +
-               particles::shown(N * h.maxCoeff());
+               ", (N - 1) h from " + base::shown(N * h.minCoeff()) + " to " + base::shown(N * h.maxCoeff());
     }
     [[nodiscard]] Operators<double> operators(const Formulation<double>& formulation) const {
         return formulation.operators(line(), smoothing());

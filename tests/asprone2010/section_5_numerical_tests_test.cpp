@@ -25,12 +25,12 @@ TEST_CASE("numerical tests: h stays δ when particles are perturbed, and the see
 }
 
 TEST_CASE("numerical tests: nonsense is refused") {
-    CHECK_THROWS_AS(discretise<double>({}, 1, 1), particles::InvalidInput);
+    CHECK_THROWS_AS(discretise<double>({}, 1, 1), base::InvalidInput);
     CHECK_THROWS_WITH_AS(discretise<double>({Volumes::equal, particles::Gaussian{}, 0, 0}, 10, 1),
                          "the smoothing length over the spacing must be positive and finite, got 0",
-                         particles::InvalidInput);
+                         base::InvalidInput);
     CHECK_THROWS_AS(discretise<double>({Volumes::equal, particles::Gaussian{}, 1, 0.7}, 10, 1),
-                    particles::InvalidInput);
+                    base::InvalidInput);
 }
 
 TEST_CASE("numerical tests: the norm is the largest difference") {

@@ -124,7 +124,7 @@ template <class Work>
 std::string refusal(const Work& work) {
     try {
         work();
-    } catch (const particles::FailedComputation& error) {
+    } catch (const base::FailedComputation& error) {
         return error.what();
     }
     return "";
@@ -563,7 +563,7 @@ TEST_CASE("ssph_basis: a cloud with fewer particles than monomials is refused wi
         support::bases(2, support::random_points<2>(5, 1), 1000, Point<2>(0.5, 0.25), 0.1),
         "ssph_basis: at (0.5, 0.25) there are 5 particles within 1000h = 100 for the 6 monomials "
         "of degree 2; take at least 6 particles",
-        particles::FailedComputation);
+        base::FailedComputation);
 }
 
 TEST_CASE(
@@ -608,7 +608,6 @@ TEST_CASE("ssph_basis: in one dimension m + 1 particles are needed and suffice")
     for (const int m : {1, 2, 3}) {
         CHECK_NOTHROW(support::bases(m, x.leftCols(m + 1), 3, Point<1>(0.5), 0.3));
         if (m > 1)
-            CHECK_THROWS_AS(support::bases(m, x.leftCols(m), 3, Point<1>(0.5), 0.3),
-                            particles::FailedComputation);
+            CHECK_THROWS_AS(support::bases(m, x.leftCols(m), 3, Point<1>(0.5), 0.3), base::FailedComputation);
     }
 }

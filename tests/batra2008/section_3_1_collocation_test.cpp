@@ -153,5 +153,5 @@ TEST_CASE("collocation: a plate that nothing holds is refused, large or small") 
     for (const Index small : {0, 1000})
         CHECK_THROWS_WITH_AS(solved(system<2>(problem, cloud, Kernel(3), small)),
                              doctest::Contains("the linear system of 434 unknowns is singular"),
-                             particles::FailedComputation);
+                             base::FailedComputation);
 }

@@ -66,12 +66,12 @@ TEST_CASE("(3.6), (3.7): strains are the symmetric part of the gradient, and a r
 
 TEST_CASE("elastostatics: materials without meaning are refused") {
     CHECK_THROWS_WITH_AS(checked({-1, 0.3}), doctest::Contains("Young's modulus must be positive"),
-                         particles::InvalidInput);
-    CHECK_THROWS_AS(checked({1, 0.6}), particles::InvalidInput);
-    CHECK_THROWS_AS(checked({1, 0.5, Plane::strain}), particles::InvalidInput);
-    CHECK_THROWS_AS(checked({1, std::nan("")}), particles::InvalidInput);
+                         base::InvalidInput);
+    CHECK_THROWS_AS(checked({1, 0.6}), base::InvalidInput);
+    CHECK_THROWS_AS(checked({1, 0.5, Plane::strain}), base::InvalidInput);
+    CHECK_THROWS_AS(checked({1, std::nan("")}), base::InvalidInput);
     CHECK_THROWS_WITH_AS(plane_named("flat"), doctest::Contains("choose stress or strain"),
-                         particles::InvalidInput);
+                         base::InvalidInput);
 }
 
 TEST_CASE(
@@ -107,5 +107,5 @@ TEST_CASE("elastostatics: a particle outside the body is named") {
     x(1, 7) = 0.3;
     CHECK_THROWS_WITH_AS(check_inside(Cloud<2>(x), plate::problem(stressed)),
                          doctest::Contains("particle 7 at (0.666667, 0.3) lies outside the body"),
-                         particles::InvalidInput);
+                         base::InvalidInput);
 }

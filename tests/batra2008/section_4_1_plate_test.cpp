@@ -165,12 +165,11 @@ TEST_CASE("plate: the weights of the background mesh add up to its area") {
 }
 
 TEST_CASE("plate: grids without meaning and conditions that say the same are refused") {
-    CHECK_THROWS_AS(plate::grid(1, 4), particles::InvalidInput);
+    CHECK_THROWS_AS(plate::grid(1, 4), base::InvalidInput);
     plate::Corners corners = plate::default_corners();
     corners[1] = {"u1", "u1"};
     CHECK_THROWS_WITH_AS(plate::problem(material, corners),
-                         doctest::Contains("corner 2 needs two different conditions"),
-                         particles::InvalidInput);
+                         doctest::Contains("corner 2 needs two different conditions"), base::InvalidInput);
     CHECK_THROWS_WITH_AS(plate::condition_named("u3"), doctest::Contains("choose two of u1, u2, s11"),
-                         particles::InvalidInput);
+                         base::InvalidInput);
 }

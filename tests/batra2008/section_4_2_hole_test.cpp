@@ -75,7 +75,7 @@ TEST_CASE("(4.9): the exact solution satisfies the conditions of the symmetry pl
     CHECK(top[0].displacement);
     CHECK_FALSE(top[1].displacement);
     CHECK((top[1].n - Vector(0, -1)).norm() < 1e-12);
-    CHECK_THROWS_AS(hole::problem(material, {3, 3}), particles::InvalidInput);
+    CHECK_THROWS_AS(hole::problem(material, {3, 3}), base::InvalidInput);
 }
 
 TEST_CASE("(4.10): along the x2-axis it is (4.7) and (4.8), with a concentration of three at the hole") {
@@ -130,8 +130,8 @@ TEST_CASE("hole: the layouts have the print's numbers of particles, lie in the b
         CHECK(x != hole::graded_layout(shape, N, on_arc, 2));
     }
     CHECK(hole::polar_layout(shape, 11, 17).cols() == 187);
-    CHECK_THROWS_AS(hole::graded_layout(shape, 20, 11, 1), particles::InvalidInput);
-    CHECK_THROWS_AS(hole::polar_layout(shape, 2, 2), particles::InvalidInput);
+    CHECK_THROWS_AS(hole::graded_layout(shape, 20, 11, 1), base::InvalidInput);
+    CHECK_THROWS_AS(hole::polar_layout(shape, 2, 2), base::InvalidInput);
 }
 
 TEST_CASE("hole: C is well conditioned all over the quarter, for both reference layouts") {

@@ -50,12 +50,12 @@ TEST_CASE("example_problems: methods by their names; degrees that a method canno
     CHECK(name(Method::weak1) == "weak1");
     CHECK(name(Method::weak2) == "weak2");
     CHECK_THROWS_WITH_AS(method_named("weak3"), doctest::Contains("choose all, or some of strong"),
-                         particles::InvalidInput);
+                         base::InvalidInput);
     const Problem problem = plate::problem({plate::E, plate::nu});
     const Cloud<2> cloud(plate::grid(16, 4));
     CHECK_THROWS_WITH_AS(solve(problem, cloud, {Method::strong, 3, 1}),
-                         doctest::Contains("take --degree 2 or 3"), particles::InvalidInput);
-    CHECK_THROWS_AS(solve(problem, cloud, {Method::weak1, 3, 4, 1e16}), particles::InvalidInput);
+                         doctest::Contains("take --degree 2 or 3"), base::InvalidInput);
+    CHECK_THROWS_AS(solve(problem, cloud, {Method::weak1, 3, 4, 1e16}), base::InvalidInput);
 }
 
 TEST_CASE("example_problems: too small a support is an error with place, counts and a remedy that helps") {
@@ -65,7 +65,7 @@ TEST_CASE("example_problems: too small a support is an error with place, counts 
         solve(problem, cloud, {Method::strong, 2}),
         doctest::Contains("ssph_basis: at (0, 0) there are 4 particles within 2h = 0.133 for the 6 "
                           "monomials of degree 2; try --scaling 2.5"),
-        particles::FailedComputation);
+        base::FailedComputation);
     CHECK_NOTHROW(solve(problem, cloud, {Method::strong, 2.5}));
 }
 

@@ -26,7 +26,7 @@ void add_batra2008(long most) {
             const long size = plate_of(N)->size();
             add({"search", "cells", size, threads}, [=] {
                 return [cloud = plate_of(N), scaling] {
-                    particles::for_each_index(cloud->size(), [&](Index I) {
+                    base::for_each_index(cloud->size(), [&](Index I) {
                         benchmark::DoNotOptimize(
                             cloud->within(cloud->x().col(I), scaling * cloud->h()[I]).data());
                     });
@@ -39,7 +39,7 @@ void add_batra2008(long most) {
                     near[static_cast<std::size_t>(I)] =
                         cloud->within(cloud->x().col(I), scaling * cloud->h()[I]);
                 return [cloud, near, kernel = Kernel(scaling)] {
-                    particles::for_each_index(cloud->size(), [&](Index I) {
+                    base::for_each_index(cloud->size(), [&](Index I) {
                         const Point<2> x = cloud->x().col(I);
                         const auto& among = near[static_cast<std::size_t>(I)];
                         benchmark::DoNotOptimize(

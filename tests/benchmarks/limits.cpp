@@ -1,8 +1,8 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "particles/large_pages.hpp"
-#include "particles/parallel.hpp"
+#include "base/memory.hpp"
+#include "base/parallel.hpp"
 #include "tests/benchmarks/report.hpp"
 
 namespace benchmarks {
@@ -16,7 +16,7 @@ struct Arrays {
     Eigen::ArrayXd a, b, c;
     explicit Arrays(Eigen::Index N) : a(N), b(N), c(N) {
         for (auto* array : {&a, &b, &c}) {
-            particles::prefer_large_pages(array->data(), N);
+            base::prefer_large_pages(array->data(), N);
             array->setLinSpaced(-36, 0);
         }
     }
@@ -31,7 +31,7 @@ void add_limits() {
             auto arrays = std::make_shared<Arrays>(20 * 1000 * 1000);
             return [arrays] {
                 auto& [a, b, c] = *arrays;
-                particles::for_each_index((a.size() + block - 1) / block, [&](Eigen::Index k) {
+                base::for_each_index((a.size() + block - 1) / block, [&](Eigen::Index k) {
                     const Eigen::Index size = std::min(block, a.size() - k * block);
                     a.segment(k * block, size) =
                         b.segment(k * block, size) + 3.0 * c.segment(k * block, size);
@@ -43,7 +43,7 @@ void add_limits() {
             auto arrays = std::make_shared<Arrays>(64 * block);
             return [arrays] {
                 auto& [a, b, c] = *arrays;
-                particles::for_each_index(64, [&](Eigen::Index k) {
+                base::for_each_index(64, [&](Eigen::Index k) {
                     a.segment(k * block, block) = b.segment(k * block, block).exp();
                 });
                 benchmark::ClobberMemory();

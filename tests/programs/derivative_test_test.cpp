@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "programs/formulations.hpp"
+#include "command_line/formulations.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/relative.hpp"
@@ -25,7 +25,7 @@ TEST_CASE(
         without_comments(output).starts_with("formulation,particles,spacing,perturbation,seed,error_first,"
                                              "error_second,error_first_interior,error_second_interior\n"));
     const auto table = report::parsed(output);
-    CHECK(table.rows.size() == programs::formulations().size() * 2 * (1 + 2));
+    CHECK(table.rows.size() == command_line::formulations().size() * 2 * (1 + 2));
 }
 
 TEST_CASE("derivative_test: the published statement, from the program") {

@@ -1,4 +1,4 @@
-#include "programs/formulations.hpp"
+#include "command_line/formulations.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/relative.hpp"
@@ -13,7 +13,7 @@ TEST_CASE("vibration_test: columns by their names, 98 modes for each formulation
     for (const char* name :
          {"formulation", "particles", "mode", "frequency", "frequency_imaginary", "exact", "ratio"})
         CHECK_NOTHROW(static_cast<void>(table.column(name)));
-    CHECK(table.rows.size() == (programs::formulations().size() + 2) * 98);
+    CHECK(table.rows.size() == (command_line::formulations().size() + 2) * 98);
     const auto ratio = [&](const std::string& formulation, double mode) {
         for (const auto& row : table.rows)
             if (std::get<std::string>(row[0]) == formulation &&

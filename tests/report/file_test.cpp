@@ -10,7 +10,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 #include "tests/folder.hpp"
 #include "tests/sanitizers.hpp"
 
@@ -32,11 +32,11 @@ TEST_CASE("file: a failure names the file and the reason and leaves nothing behi
     const std::string missing = folder.path + "/missing/file.csv";
     CHECK_THROWS_WITH_AS(report::write_whole(missing, "text"),
                          ("cannot write " + missing + ": No such file or directory").c_str(),
-                         particles::FailedComputation);
+                         base::FailedComputation);
     CHECK_THROWS_WITH_AS(report::read_whole(missing),
                          ("cannot read " + missing + ": No such file or directory").c_str(),
-                         particles::FailedComputation);
-    CHECK_THROWS_AS(report::write_whole(folder.path, "text"), particles::FailedComputation);
+                         base::FailedComputation);
+    CHECK_THROWS_AS(report::write_whole(folder.path, "text"), base::FailedComputation);
     CHECK(folder.entries() == 0);
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("file: a disk that fills up leaves an existing file untouched, and not
     setrlimit(RLIMIT_FSIZE, &little);
     auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
     CHECK_THROWS_WITH_AS(report::write_whole(path, std::string(100000, 'x')),
-                         ("cannot write " + path + ": File too large").c_str(), particles::FailedComputation);
+                         ("cannot write " + path + ": File too large").c_str(), base::FailedComputation);
     std::signal(SIGXFSZ, handler);
     setrlimit(RLIMIT_FSIZE, &before);
     CHECK(report::read_whole(path) == "kept");
@@ -94,8 +94,7 @@ TEST_CASE("file: a link to what is not there yet is followed, and an existing fi
 
     std::filesystem::create_symlink("loop.csv", loop);
     CHECK_THROWS_WITH_AS(report::write_whole(loop, "text"),
-                         doctest::Contains("Too many levels of symbolic links"),
-                         particles::FailedComputation);
+                         doctest::Contains("Too many levels of symbolic links"), base::FailedComputation);
 }
 
 TEST_CASE("file: an open file keeps what it holds; one that is not open to write is refused") {
@@ -106,10 +105,10 @@ TEST_CASE("file: an open file keeps what it holds; one that is not open to write
     for (const std::string& name : {"/dev/fd/" + std::to_string(log), "/proc/self/fd/" + std::to_string(log)})
         report::write_whole(name, "after\n");
     CHECK_THROWS_WITH_AS(report::check_writable("/dev/fd/" + std::to_string(read)),
-                         doctest::Contains("Bad file descriptor"), particles::FailedComputation);
+                         doctest::Contains("Bad file descriptor"), base::FailedComputation);
     close(log);
     close(read);
-    CHECK_THROWS_AS(report::check_writable("/dev/fd/" + std::to_string(log)), particles::FailedComputation);
+    CHECK_THROWS_AS(report::check_writable("/dev/fd/" + std::to_string(log)), base::FailedComputation);
     CHECK(report::read_whole(path) == "before\nafter\nafter\n");
     CHECK(folder.entries() == 1);
 }
@@ -126,7 +125,7 @@ TEST_CASE("file: what could not be written in the end is known before") {
                                    folder.path + "/" + std::string(300, 'x')})
         CHECK_THROWS_WITH_AS(report::check_writable(bad),
                              doctest::Contains(("cannot write " + bad + ": ").c_str()),
-                             particles::FailedComputation);
+                             base::FailedComputation);
     CHECK(report::read_whole(path) == "kept");
     CHECK(folder.entries() == 1);
 }

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 
 using namespace report;
 
@@ -29,7 +29,7 @@ TEST_CASE("papers: each has its letter, folder, citation and conventions") {
     CHECK(second.conventions.one.condition == "E is a difference");
     CHECK(second.conventions.other.name == "nd");
     CHECK(second.conventions.other.condition == "E is a norm");
-    CHECK_THROWS_AS(paper_named("third", all), particles::InvalidInput);
+    CHECK_THROWS_AS(paper_named("third", all), base::InvalidInput);
 }
 
 TEST_CASE("papers: a row belongs to the paper whose letter its key begins with, and to one") {
@@ -42,5 +42,5 @@ TEST_CASE("papers: a row belongs to the paper whose letter its key begins with, 
     CHECK(parts.at("second").word(0, "equation") == "B2.10");
     CHECK(by_paper(parsed_words("equation,section\n"), all).at("second").rows.empty());
     CHECK_THROWS_WITH_AS(by_paper(parsed_words("equation\nA1\nC1\n"), all), "C1 belongs to no paper",
-                         particles::FailedComputation);
+                         base::FailedComputation);
 }

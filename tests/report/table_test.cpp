@@ -6,7 +6,7 @@
 #include <limits>
 #include <locale>
 
-#include "particles/errors.hpp"
+#include "base/errors.hpp"
 
 using namespace report;
 
@@ -40,7 +40,7 @@ TEST_CASE("table: what is written is parsed") {
     CHECK(std::get<double>(table.rows[0][2]) == 1.235e-5);
     CHECK(std::holds_alternative<std::monostate>(table.rows[1][2]));
     CHECK(table.column("count") == 1);
-    CHECK_THROWS_AS(static_cast<void>(table.column("volume")), particles::FailedComputation);
+    CHECK_THROWS_AS(static_cast<void>(table.column("volume")), base::FailedComputation);
 }
 
 TEST_CASE("table: words with commas and quotes come back as they were") {
@@ -87,18 +87,18 @@ TEST_CASE("table: a number that is not finite is never written") {
          {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), std::nan("")}) {
         Table table = example();
         table.rows[1][2] = bad;
-        CHECK_THROWS_WITH_AS(csv(table), "row 2 (second): error is not finite", particles::FailedComputation);
+        CHECK_THROWS_WITH_AS(csv(table), "row 2 (second): error is not finite", base::FailedComputation);
     }
 }
 
 TEST_CASE("table: rows of another length are refused when written and when read") {
     Table table = example();
     table.rows[0].pop_back();
-    CHECK_THROWS_WITH_AS(csv(table), "row 1 has 2 entries for 3 columns", particles::FailedComputation);
+    CHECK_THROWS_WITH_AS(csv(table), "row 1 has 2 entries for 3 columns", base::FailedComputation);
     CHECK_THROWS_WITH_AS(parsed("a,b\n1,2\n1,2,3\n"), "line 3 has 3 entries for 2 columns",
-                         particles::FailedComputation);
-    CHECK_THROWS_AS(parsed("# nothing\n"), particles::FailedComputation);
-    CHECK_THROWS_AS(parsed("# tolerance of error: little\nerror\n"), particles::FailedComputation);
+                         base::FailedComputation);
+    CHECK_THROWS_AS(parsed("# nothing\n"), base::FailedComputation);
+    CHECK_THROWS_AS(parsed("# tolerance of error: little\nerror\n"), base::FailedComputation);
 }
 
 TEST_CASE("table: numbers within the first table's tolerance agree, others and other words do not") {
@@ -153,13 +153,13 @@ TEST_CASE("table: a tolerance does not let a zero pass for a number") {
 
 TEST_CASE("table: what is read is finite, as what is written, and so are its tolerances") {
     CHECK_THROWS_WITH_AS(static_cast<void>(report::parsed("a\nnan\n")), "row 1: a is not finite",
-                         particles::FailedComputation);
+                         base::FailedComputation);
     CHECK_THROWS_WITH_AS(static_cast<void>(report::parsed("a,b\n1,2\n1,-inf\n")), "row 2: b is not finite",
-                         particles::FailedComputation);
+                         base::FailedComputation);
     for (const std::string relative : {"", "x", "nan", "inf", "-1", "1e999", "1 2"})
         CHECK_THROWS_WITH_AS(static_cast<void>(report::parsed("# tolerance of a: relative " + relative +
                                                               ", absolute 0\na\n1\n")),
-                             doctest::Contains("is no tolerance"), particles::FailedComputation);
+                             doctest::Contains("is no tolerance"), base::FailedComputation);
     CHECK_THROWS_AS(static_cast<void>(report::parsed("# tolerance of a: , absolute 1: relative 1\na\n1\n")),
-                    particles::FailedComputation);
+                    base::FailedComputation);
 }

@@ -12,7 +12,7 @@ TEST_CASE("verdict: relations") {
     CHECK(fits({">", 1, 0}, 1.5));
     CHECK_FALSE(fits({">", 1, 0}, 1));
     for (const char* relation : {"=", "<", ">"}) CHECK_FALSE(fits({relation, 1, 1}, std::nan("")));
-    CHECK_THROWS_AS(fits({"~", 1, 0}, 1), particles::InvalidInput);
+    CHECK_THROWS_AS(fits({"~", 1, 0}, 1), base::InvalidInput);
 }
 
 TEST_CASE("verdict: reproduced, conditional, different, undecided") {

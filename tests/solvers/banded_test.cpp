@@ -6,7 +6,7 @@
 #include <random>
 
 #include "asprone2010/section_5_2_static_test.hpp"
-#include "particles/quad.hpp"
+#include "base/quad.hpp"
 #include "tests/support.hpp"
 
 namespace {
@@ -112,14 +112,14 @@ TEST_CASE(
     for (int i = 0; i < 14; ++i)
         for (int j = 0; j < 14; ++j) A.insert(i, j) = 1.0L / (i + j + 1);
     const Matrix shorter = A.cast<double>();
-    const Eigen::SparseMatrix<particles::Quad, Eigen::RowMajor> quad = A.cast<particles::Quad>();
+    const Eigen::SparseMatrix<base::Quad, Eigen::RowMajor> quad = A.cast<base::Quad>();
     const solvers::BandedFactors<double> in_double(shorter);
     const solvers::BandedFactors<long double> in_long(A);
-    const solvers::BandedFactors<particles::Quad> in_quad(quad);
+    const solvers::BandedFactors<base::Quad> in_quad(quad);
     CHECK_THROWS_WITH_AS(in_double.require_regular(),
                          doctest::Contains("14 unknowns is singular (reciprocal condition"),
-                         particles::FailedComputation);
-    CHECK_THROWS_AS(in_long.require_regular(), particles::FailedComputation);
+                         base::FailedComputation);
+    CHECK_THROWS_AS(in_long.require_regular(), base::FailedComputation);
     CHECK_NOTHROW(in_quad.require_regular());
 }
 
@@ -131,19 +131,18 @@ TEST_CASE("banded: a singular system is reported, exactly and nearly singular on
         solvers::solve_banded(A, Eigen::Array3d::Ones()),
         "the linear system of 3 unknowns is singular (reciprocal condition 0); take another formulation or "
         "other particles",
-        particles::FailedComputation);
+        base::FailedComputation);
     A.coeffRef(1, 1) = 4 * (1 + 3e-16);
-    CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()), particles::FailedComputation);
+    CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()), base::FailedComputation);
     A.coeffRef(1, 1) = std::nan("");
     CHECK_THROWS_WITH_AS(
         solvers::solve_banded(A, Eigen::Array3d::Ones()),
         "row 1 of the linear system is zero or not finite; take another smoothing length or other "
         "particles",
-        particles::FailedComputation);
+        base::FailedComputation);
     A.coeffRef(1, 1) = 5;
     CHECK_THROWS_WITH_AS(solvers::solve_banded(A, Eigen::Array3d(1, std::nan(""), 1)),
                          "the linear system has a right-hand side that is not finite",
-                         particles::FailedComputation);
-    CHECK_THROWS_AS(solvers::solve_banded(Matrix(3, 3), Eigen::Array3d::Ones()),
-                    particles::FailedComputation);
+                         base::FailedComputation);
+    CHECK_THROWS_AS(solvers::solve_banded(Matrix(3, 3), Eigen::Array3d::Ones()), base::FailedComputation);
 }

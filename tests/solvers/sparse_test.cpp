@@ -104,7 +104,7 @@ TEST_CASE("sparse: a singular system is refused with its size") {
         CHECK_THROWS_WITH_AS(
             solve_sparse(full(entries), Eigen::Vector4d::Ones()),
             "the linear system of 4 unknowns is singular; take another scaling factor or other particles",
-            particles::FailedComputation);
+            base::FailedComputation);
     };
     refused(Eigen::Matrix4d{
         {1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}});  // equal rows once they are scaled
@@ -121,7 +121,7 @@ TEST_CASE("sparse: rows that are zero or not finite are refused by their number,
                              ("the linear system of 4 unknowns has a row " + row +
                               " that is zero or not finite; take another scaling factor or other particles")
                                  .c_str(),
-                             particles::FailedComputation);
+                             base::FailedComputation);
     };
     const auto with = [&](int row, int column, double entry) {
         Eigen::Matrix4d A = I;
@@ -180,7 +180,7 @@ TEST_CASE("sparse: a singular system is refused whatever stands for the nearest 
         CHECK_THROWS_WITH_AS(
             solve_sparse(singular, Eigen::Vector4d(1, 2, 5, 1), nearest),
             "the linear system of 4 unknowns is singular; take another scaling factor or other particles",
-            particles::FailedComputation);
+            base::FailedComputation);
 }
 
 TEST_CASE("sparse: the same bits on any number of threads") {

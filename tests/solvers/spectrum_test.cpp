@@ -46,9 +46,9 @@ TEST_CASE("spectrum: symmetric problems come out in increasing order") {
 
 TEST_CASE("spectrum: what has no eigenvalues is an error") {
     Eigen::Matrix2d K{{1, 2}, {3, std::nan("")}};
-    CHECK_THROWS_AS(solvers::eigenvalues(K), particles::FailedComputation);
+    CHECK_THROWS_AS(solvers::eigenvalues(K), base::FailedComputation);
     CHECK_THROWS_AS(solvers::symmetric_eigenvalues(Eigen::Matrix2d::Identity(), -Eigen::Matrix2d::Identity()),
-                    particles::FailedComputation);
+                    base::FailedComputation);
 }
 
 TEST_CASE("spectrum: a matrix that is made of its eigenvalues, pairs and real ones, has these") {

@@ -1,0 +1,54 @@
+#include "base/memory.hpp"
+
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+
+namespace base {
+
+namespace {
+
+std::string gigabytes(double bytes) {
+    return shown(bytes / 1e9, 3) + " GB";
+}
+
+}  // namespace
+
+void prefer_large_pages(void* first, std::size_t bytes) {
+    constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
+    const std::uintptr_t before = (page - reinterpret_cast<std::uintptr_t>(first) % page) % page;
+    if (bytes >= before + page)
+        madvise(static_cast<char*>(first) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
+}
+
+double available_memory() {
+    const double machine =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return machine;
+    return std::min(machine, static_cast<double>(limit.rlim_cur));
+}
+
+void require_memory(const std::string& what, double bytes, const std::string& remedy) {
+    if (bytes > available_memory())
+        throw InvalidInput(what + " take at least " + gigabytes(bytes) + " of memory, there are " +
+                           gigabytes(available_memory()) + "; " + remedy);
+}
+
+void require_memory_of_entries(const std::string& what, double entries, double bytes,
+                               const std::string& remedy) {
+    constexpr int most = std::numeric_limits<int>::max();
+    if (entries > most)
+        throw InvalidInput(what + " make a matrix of " + shown(entries, 3) +
+                           " entries, which holds at most " + std::to_string(most) + "; " + remedy);
+    require_memory(what, bytes, remedy);
+}
+
+}  // namespace base

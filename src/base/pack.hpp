@@ -1,0 +1,137 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+
+namespace base {
+
+/// The same quantity of several consecutive particles, one lane each: a scalar in the place of double with which a formula
+/// serves all of them at once, in the registers that the processor has for that. Compilers break the operations down to what
+/// there is, so that every lane has the same bits with and without wide registers.
+///
+/// Comparisons answer for each lane; everywhere() and chosen() make of the answers what branches are for one number.
+struct Pack {
+#if defined(__AVX512F__)
+    static constexpr int lanes = 8;
+#elif defined(__AVX__)
+    static constexpr int lanes = 4;
+#else
+    static constexpr int lanes = 2;
+#endif
+    using Vector [[gnu::vector_size(lanes * sizeof(double))]] = double;
+    using Mask = decltype(Vector{} < Vector{});
+
+    Vector of;
+
+    Pack() = default;
+    Pack(double for_all)
+        : of(for_all - Vector{}) {}  // NOLINT(google-explicit-constructor): a number is one for all
+    explicit Pack(const Vector& each) : of(each) {}
+
+    /// The numbers from an address on, which need not be aligned.
+    static Pack from(const double* first) {
+        Pack loaded{};
+        __builtin_memcpy(&loaded.of, first, sizeof(Vector));
+        return loaded;
+    }
+    [[nodiscard]] double operator[](int lane) const {
+        return of[lane];
+    }
+
+    Pack operator-() const {
+        return Pack(-of);
+    }
+    Pack& operator+=(const Pack& b) {
+        return *this = Pack(of + b.of);
+    }
+    Pack& operator-=(const Pack& b) {
+        return *this = Pack(of - b.of);
+    }
+    Pack& operator*=(const Pack& b) {
+        return *this = Pack(of * b.of);
+    }
+    Pack& operator/=(const Pack& b) {
+        return *this = Pack(of / b.of);
+    }
+    friend Pack operator+(const Pack& a, const Pack& b) {
+        return Pack(a.of + b.of);
+    }
+    friend Pack operator-(const Pack& a, const Pack& b) {
+        return Pack(a.of - b.of);
+    }
+    friend Pack operator*(const Pack& a, const Pack& b) {
+        return Pack(a.of * b.of);
+    }
+    friend Pack operator/(const Pack& a, const Pack& b) {
+        return Pack(a.of / b.of);
+    }
+    friend Mask operator<(const Pack& a, const Pack& b) {
+        return a.of < b.of;
+    }
+    friend Mask operator>(const Pack& a, const Pack& b) {
+        return a.of > b.of;
+    }
+};
+
+/// Whether a comparison holds; for each lane, if there are several.
+inline bool everywhere(bool holds) {
+    return holds;
+}
+inline bool everywhere(const Pack::Mask& holds) {
+    auto all = holds[0];
+    for (int lane = 1; lane < Pack::lanes; ++lane) all &= holds[lane];
+    return all != 0;
+}
+
+/// a where a comparison holds, b elsewhere.
+template <class Scalar>
+Scalar chosen(bool holds, const Scalar& a, const Scalar& b) {
+    return holds ? a : b;
+}
+inline Pack chosen(const Pack::Mask& holds, const Pack& a, const Pack& b) {
+    return Pack(holds ? a.of : b.of);
+}
+
+/// The least of the lanes, as a double.
+template <class Scalar>
+double least(const Scalar& number) {
+    return static_cast<double>(number);
+}
+inline double least(const Pack& a) {
+    double least_lane = a[0];
+    for (int lane = 1; lane < Pack::lanes; ++lane)
+        if (!(a[lane] >= least_lane)) least_lane = a[lane];
+    return least_lane;
+}
+
+inline Pack abs(const Pack& a) {
+    return chosen(a < 0, -a, a);
+}
+inline Pack max(const Pack& a, const Pack& b) {
+    return chosen(a < b, b, a);
+}
+inline Pack min(const Pack& a, const Pack& b) {
+    return chosen(b < a, b, a);
+}
+inline Pack exp(const Pack& a) {
+    using Lanes = Eigen::Array<double, Pack::lanes, 1>;
+    const Lanes all = Eigen::Map<const Lanes>(reinterpret_cast<const double*>(&a.of)).exp();
+    return Pack::from(all.data());
+}
+
+}  // namespace base
+
+namespace std {
+template <>
+struct numeric_limits<base::Pack> : numeric_limits<double> {};
+}  // namespace std
+
+namespace Eigen {
+template <>
+struct NumTraits<base::Pack> : NumTraits<double> {
+    using Real = base::Pack;
+    using NonInteger = base::Pack;
+    using Nested = base::Pack;
+    using Literal = base::Pack;
+};
+}  // namespace Eigen

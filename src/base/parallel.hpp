@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <exception>
+
+#include "base/index.hpp"
+
+namespace base {
+
+/// Runs `work(k)` for k = 0 … count − 1 in parallel. The calls must not depend on one another. Of the calls that fail, the
+/// first one's exception is thrown, on any number of threads.
+template <class Work>
+void for_each_index(Index count, const Work& work) {
+    std::exception_ptr failure;
+    Index failed = count;
+    const Index chunk = std::max<Index>(1, count / 256);
+#pragma omp parallel for schedule(dynamic, chunk) if (count > 1)
+    for (Index k = 0; k < count; ++k) {
+        try {
+            work(k);
+        } catch (...) {
+#pragma omp critical(first_failure)
+            if (k < failed) {
+                failed = k;
+                failure = std::current_exception();
+            }
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace base

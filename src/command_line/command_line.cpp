@@ -1,0 +1,167 @@
+#include "command_line/command_line.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <type_traits>
+
+#include "base/errors.hpp"
+#include "solvers/blas_threads.hpp"
+
+namespace command_line {
+
+namespace {
+
+constexpr int most_threads = 1024;
+
+}  // namespace
+
+CommandLine::CommandLine(const std::string& about, const std::string& name, const std::string& examples)
+    : app_(std::make_unique<CLI::App>(about, name)) {
+    app_->footer(examples);
+}
+CommandLine::CommandLine(CommandLine&&) noexcept = default;
+CommandLine& CommandLine::operator=(CommandLine&&) noexcept = default;
+CommandLine::~CommandLine() = default;
+
+CommandLine::Option& CommandLine::Option::type_name(const std::string& shown) {
+    of_->type_name(shown);
+    return *this;
+}
+CommandLine::Option& CommandLine::Option::separated_by_commas() {
+    of_->delimiter(',');
+    return *this;
+}
+CommandLine::Option& CommandLine::Option::within(long least, long most) {
+    of_->check(CLI::Range(least, most));
+    return *this;
+}
+CommandLine::Option& CommandLine::Option::among(const std::vector<std::string>& words) {
+    of_->check(CLI::IsMember(words));
+    return *this;
+}
+CommandLine::Option& CommandLine::Option::excludes(const Option& other) {
+    of_->excludes(other.of_);
+    return *this;
+}
+CommandLine::Option& CommandLine::Option::required() {
+    of_->required();
+    return *this;
+}
+
+namespace {
+
+/// What CLI11 would read as octal, hexadecimal or binary: a whole number with a zero before its digits.
+std::string in_decimal(const std::string& text) {
+    const std::size_t first = text.find_first_not_of("+-");
+    if (first == std::string::npos || text[first] != '0' || first + 1 == text.size()) return {};
+    return text + " begins with 0; write it in decimal";
+}
+
+}  // namespace
+
+template <class Value>
+CommandLine::Option CommandLine::add_option(const std::string& name, Value& value, const std::string& about) {
+    CLI::Option* const option = app_->add_option(name, value, about);
+    if constexpr (std::is_integral_v<Value> || std::is_same_v<Value, std::vector<long>>)
+        option->check(in_decimal);
+    return Option(option);
+}
+template CommandLine::Option CommandLine::add_option(const std::string&, std::string&, const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, double&, const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, int&, const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, long&, const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, unsigned long&, const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<std::string>&,
+                                                     const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
+                                                     const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<double>&,
+                                                     const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<long>&,
+                                                     const std::string&);
+
+CommandLine::Option CommandLine::add_flag(const std::string& name, bool& value, const std::string& about) {
+    return Option(app_->add_flag(name, value, about));
+}
+
+void CommandLine::add_threads(int& threads) {
+    add_option("--threads", threads, "how many threads (default: all)")
+        .type_name("T")
+        .within(1, most_threads);
+}
+void CommandLine::add_output(std::string& file) {
+    add_option("--output", file, "CSV file to write (default: standard output)").type_name("FILE");
+}
+
+void CommandLine::column_width(std::size_t letters) {
+    app_->get_formatter()->column_width(letters);
+}
+
+void CommandLine::after_reading(const std::function<void()>& then) {
+    app_->callback(then);
+}
+
+std::string CommandLine::name() const {
+    return app_->get_name();
+}
+
+std::optional<int> CommandLine::read(int argc, char** argv) {
+    try {
+        app_->parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        app_->exit(asked);
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        throw base::InvalidInput(std::string(error.what()) + "; see " + name() + " --help");
+    }
+    for (const CLI::Option* const option : app_->get_options())
+        for (const std::string& value : option->results())
+            if (value.empty())  // a shell's variable that was never set, most likely
+                throw base::InvalidInput(option->get_name() + " is empty; give it a value or leave it out");
+    return {};
+}
+
+namespace {
+
+/// A message with what would break its line, or colour a terminal, shown as ?, and without the middle of what would fill a screen.
+std::string on_one_line(std::string text) {
+    for (char& letter : text)
+        if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
+    constexpr std::size_t first = 400, last = 200;
+    if (text.size() > 2 * (first + last)) text.replace(first, text.size() - first - last, " ... ");
+    return text;
+}
+
+}  // namespace
+
+int run(CommandLine& app, int argc, char** argv, const std::function<int()>& body) {
+    const auto refused = [&](int code, const std::string& why) {
+        std::cerr << app.name() << ": " << on_one_line(why) << "\n";
+        return code;
+    };
+    try {
+        std::signal(SIGXFSZ, SIG_IGN);  // what is too large for the user's limit is an error like a full disk
+        omp_set_num_threads(std::min(omp_get_max_threads(), most_threads));
+        const std::optional<int> asked = app.read(argc, argv);
+        gsl_set_error_handler_off();
+        solvers::use_one_blas_thread();
+        const int code = asked ? *asked : body();
+        if (!std::cout.flush()) throw base::FailedComputation("cannot write to the standard output");
+        return code;
+    } catch (const base::InvalidInput& error) {
+        return refused(2, error.what());
+    } catch (const std::bad_alloc&) {
+        return refused(1, "there is not enough memory; take fewer particles or a smaller smoothing length");
+    } catch (const std::exception& error) {
+        return refused(1, error.what());
+    }
+}
+
+}  // namespace command_line

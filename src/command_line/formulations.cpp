@@ -1,0 +1,67 @@
+#include "command_line/formulations.hpp"
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "base/quad.hpp"
+#include "batra2008/section_2_ssph_basis.hpp"
+
+namespace command_line {
+
+namespace {
+
+/// The derivatives of the SSPH basis with monomials of degree 2 at a particle, in units of h. The weights of a derivative sum
+/// to zero, so that they serve differences as well.
+/// \param r, W offsets and kernel values of the particles
+template <class Scalar>
+particles::Derivatives<Scalar> derivatives(const particles::Column<Scalar>& r,
+                                           const particles::Column<Scalar>& W) {
+    const batra2008::ssph_basis::Basis<1, 2, Scalar> basis({r, W, Scalar(0), {}}, Scalar(1));
+    return {batra2008::ssph_basis::derivative(basis, 1), batra2008::ssph_basis::derivative(basis, 2)};
+}
+
+/// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15) with ρ = 4; the
+/// factor G cancels.
+template <class Scalar>
+particles::Operators<Scalar> ssph(const particles::Line<Scalar>& line,
+                                  const particles::Smoothing<Scalar>& smoothing,
+                                  const particles::Requirement& required) {
+    const bool lowered = std::holds_alternative<particles::Gaussian>(smoothing.kernel());
+    const Scalar edge = lowered ? particles::Gaussian::W(Scalar(4)) : Scalar(0);
+    return particles::assemble(line, smoothing, required, [&](const particles::Neighbourhood<Scalar>& near) {
+        return derivatives<Scalar>(near.r, (near.W - edge).max(Scalar(0)));
+    });
+}
+
+}  // namespace
+
+template <class Scalar>
+const std::vector<asprone2010::Formulation<Scalar>>& formulations() {
+    static const auto all = [] {
+        auto list = asprone2010::formulations<Scalar>();
+        list.push_back({"ssph", "2", "(2.11) of Batra and Zhang (2008)", 3, ssph<Scalar>});
+        return list;
+    }();
+    return all;
+}
+
+template <class Scalar>
+const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted) {
+    std::string names;
+    for (const auto& formulation : formulations<Scalar>()) {
+        if (formulation.name == wanted) return formulation;
+        names += (names.empty() ? "" : ", ") + std::string(formulation.name);
+    }
+    throw base::InvalidInput("there is no formulation '" + std::string(wanted) + "'; choose all or some of " +
+                             names);
+}
+
+template const std::vector<asprone2010::Formulation<double>>& formulations();
+template const std::vector<asprone2010::Formulation<long double>>& formulations();
+template const std::vector<asprone2010::Formulation<base::Quad>>& formulations();
+template const asprone2010::Formulation<double>& formulation_named(std::string_view);
+template const asprone2010::Formulation<long double>& formulation_named(std::string_view);
+template const asprone2010::Formulation<base::Quad>& formulation_named(std::string_view);
+
+}  // namespace command_line

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "asprone2010/formulations.hpp"
+
+namespace command_line {
+
+/// The formulations of asprone2010 and, as an eighth, the SSPH basis of batra2008 in one dimension, "ssph": what the three
+/// numerical tests can compare.
+/// \tparam Scalar double, long double or base::Quad
+template <class Scalar = double>
+const std::vector<asprone2010::Formulation<Scalar>>& formulations();
+
+/// \throws base::InvalidInput for a name that no formulation has
+template <class Scalar = double>
+const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted);
+
+}  // namespace command_line

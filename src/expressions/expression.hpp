@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace expressions {
+
+/// What an expression is made of, for --help.
+inline constexpr const char* vocabulary =
+    "numbers, x, pi, e, + - * / ^ ( ), sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt";
+
+/// A function of x on [0, 1] with its first and second derivative, as typed on a command line.
+/// \tparam Scalar double, long double or base::Quad
+template <class Scalar = double>
+struct Expression {
+    std::function<Scalar(const Scalar&)> value, first,
+        second;  ///< may be called from several threads at once
+};
+
+/// Reads an expression such as `sin(5*x)+x^2` and differentiates it exactly, by GiNaC.
+///
+/// It knows x, decimal numbers (taken as they are written: 0.1 is 1/10), pi and e, + - * / ^ and parentheses, and sin, cos, tan,
+/// asin, acos, atan, sinh, cosh, tanh, exp, log and sqrt. Powers bind before signs, and from the right: -x^2 is -(x^2). GiNaC
+/// simplifies as it reads: x/x is 1.
+///
+/// Guaranteed of what is returned: the value and both derivatives are real and bounded everywhere on [0, 1], not at samples alone.
+/// They are bounded on subintervals, by interval arithmetic, halved until this succeeds. What is not bounded over a length of
+/// 2⁻⁴⁰ is refused; so is a function with a pole so close to [0, 1], or one that only looks singular, such as sin(x)/x at 0. Equal
+/// arguments give equal bytes in every run.
+/// \param option what the text belongs to, for messages
+/// \throws base::InvalidInput, in one line, naming the character that cannot be read, or the place where the function or
+///         a derivative is not bounded
+template <class Scalar = double>
+Expression<Scalar> expression(const std::string& option, const std::string& text);
+
+}  // namespace expressions

@@ -1,0 +1,214 @@
+#include "command_line/positions.hpp"
+
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "report/table.hpp"
+#include "tests/programs/run.hpp"
+#include "tests/relative.hpp"
+
+using namespace command_line;
+using namespace programs;
+
+namespace {
+
+/// What is read from a file with this text.
+particles::Column<double> read(const std::string& text) {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    report::write_whole(file, text);
+    return read_positions(file);
+}
+
+std::string uniform(long N) {
+    std::string text;
+    for (const double x : particles::uniform_positions<double>(N)) text += base::shown(x, 17) + "\n";
+    return text;
+}
+
+/// Irregular, with a largest spacing of 0.1 where the mean is 1/14.
+const char* const irregular =
+    "0\n0.05\n0.11\n0.2\n0.26\n0.35\n0.41\n0.5\n0.6\n0.66\n0.75\n0.8\n0.9\n0.95\n1\n";
+
+}  // namespace
+
+TEST_CASE("positions: a number on a line or the first column of a CSV, with comments, blanks and a header") {
+    for (const char* text :
+         {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
+          "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n", "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n",
+          "\xEF\xBB\xBF"
+          "0\n0.25\n1\n"}) {
+        CAPTURE(text);
+        const auto x = read(text);
+        REQUIRE(x.size() == 3);
+        CHECK(x[0] == 0);
+        CHECK(x[1] == 0.25);
+        CHECK(x[2] == 1);
+    }
+}
+
+TEST_CASE("positions: anything else is refused with its line and its value") {
+    struct Case {
+        const char *text, *reason;
+    };
+    const std::vector<Case> all{
+        {"", "x.csv holds no position"},
+        {"# nothing\nx\n", "x.csv holds no position"},
+        {"0\n0.5\n0.5\n1\n", "line 3: '0.5' does not lie beyond the position before it, 0.5; sort them"},
+        {"0\n0.6\n# here\n0.5\n1\n", "line 4: '0.5' does not lie beyond the position before it, 0.6"},
+        {"0.1\n0.5\n1\n", "line 1: '0.1' is the first position; it must be 0"},
+        {"-1\n0\n1\n", "line 1: '-1' is the first position; it must be 0"},
+        {"0\n0.5\n", "line 2: '0.5' is the last position; it must be 1"},
+        {"0\n0.5\n1\n1.5\n", "line 4: '1.5' lies beyond 1; scale the positions to [0, 1]"},
+        {"0\nabc\n1\n", "line 2: 'abc' is no number"},
+        {"x\ny\n0\n1\n", "line 2: 'y' is no number"},
+        {"0\n0.5m\n1\n", "line 2: '0.5m' is no number"},
+        {"0\n0.5 0.6\n1\n", "line 2: '0.5 0.6' is no number"},
+        {"0\n,0.5\n1\n", "line 2: '' is no number"},
+        {"0\nnan\n1\n", "line 2: 'nan' is no number"},
+        {"0\ninf\n", "line 2: 'inf' is no number"},
+        {"0\n1e999\n", "line 2: '1e999' is no number"},
+        {"0\n\x7F\n1\n", "line 2: '?' is no number"},
+    };
+    for (const auto& [text, reason] : all) {
+        const std::string tried = text;  // clang++ 14 captures no bindings
+        CAPTURE(tried);
+        CHECK_THROWS_WITH_AS(static_cast<void>(read(text)), doctest::Contains(reason), base::InvalidInput);
+    }
+    CHECK_THROWS_AS(static_cast<void>(read_positions("/nowhere/x.csv")), base::FailedComputation);
+}
+
+TEST_CASE("positions: in the plane two numbers on a line, between them a comma or blanks") {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    const auto points = [&](const std::string& text) {
+        report::write_whole(file, text);
+        return read_points(file);
+    };
+    for (const char* text :
+         {"0 0.25\n1 2\n", "0,0.25\r\n1,2", "x1,x2\n0 , 0.25\n1\t 2\n",
+          "# layout\n\n  x1 x2\n 0   0.25 # here\n1e0, 2.0\n", "\"x1\", \"x2\"\n0,0.25\n1,2\n",
+          "\xEF\xBB\xBF"
+          "0 0.25\n1 2\n"}) {
+        CAPTURE(text);
+        const auto x = points(text);
+        REQUIRE(x.cols() == 2);
+        CHECK(x == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
+    }
+    CHECK(points("# nothing\nx1, x2\n").cols() == 0);
+    for (const auto& [text, reason] : std::vector<std::pair<const char*, const char*>>{
+             {"0 1\n2\n", "x.csv, line 2: '2' is not two numbers"},
+             {"0 1\n1 2 3\n", "line 2: '1 2 3' is not two numbers"},
+             {"0,1,2\n", "line 1: '0,1,2' is not two numbers"},
+             {"0,,1\n", "line 1: '0,,1' is not two numbers"},
+             {"0,\n", "line 1: '' is no number"},
+             {",0\n", "line 1: '' is no number"},
+             {"0 1, 2\n", "line 1: '0 1' is no number"},
+             {"x1 x2\ny1 y2\n", "line 2: 'y1' is no number"},
+             {"nan inf\n", "line 1: 'nan' is no number"},
+             {"0 0x1p0\n", "line 1: '0x1p0' is no number"}}) {
+        const std::string tried = text;
+        CAPTURE(tried);
+        CHECK_THROWS_WITH_AS(static_cast<void>(points(text)), doctest::Contains(reason), base::InvalidInput);
+    }
+}
+
+TEST_CASE("positions: those of a uniform grid give the numbers of --particles") {
+    const Folder folder;
+    const std::string file = folder.path + "/uniform.csv";
+    report::write_whole(file, uniform(40));
+    for (const std::string program : {"derivative_test", "static_test", "vibration_test"})
+        for (const std::string options :
+             {" --volumes equal", " --volumes partition --kernel quintic_spline --smoothing 1.5"}) {
+            CAPTURE(program + options);
+            const auto given = report::parsed(run(program + options + " --positions " + file).output);
+            const auto made = report::parsed(run(program + options + " --particles 40").output);
+            REQUIRE(!given.rows.empty());
+            REQUIRE(given.rows.size() == made.rows.size());
+            for (std::size_t row = 0; row < made.rows.size(); ++row)
+                for (const auto& column : made.columns) {
+                    CAPTURE(column.name);
+                    // Of a file it is not known that its particles were drawn, or lie on a lattice.
+                    const bool drawn = column.name == "seed" || column.name == "perturbation" ||
+                                       column.name == "ratio_symbol";
+                    CHECK(given.word(row, column.name) == (drawn ? "" : made.word(row, column.name)));
+                }
+        }
+}
+
+TEST_CASE("positions: any increasing set serves, with h from the mean or from the largest spacing") {
+    const Folder folder;
+    const std::string file = folder.path + "/irregular.csv";
+    report::write_whole(file, irregular);
+    const std::string command = "static_test --formulation second_order_fpm --positions " + file;
+    const auto error = [&](const std::string& options) {
+        const auto table = report::parsed(run(command + options).output);
+        REQUIRE(table.rows.size() == 1);
+        CHECK(table.word(0, "particles") == "15");
+        return std::get<double>(table.rows[0][table.column("error_displacement")]);
+    };
+    CHECK(error("") == error(" --smoothing-from mean"));
+    CHECK(error(" --smoothing-from largest") == support::relative(error(" --smoothing 1.4"), 1e-9));
+    CHECK(error("") != error(" --smoothing-from largest"));
+    CHECK(run(command).output.find("positions of a file, 0.05 to 0.1 apart") != std::string::npos);
+    CHECK(run(command + " --smoothing-from largest").output.find("h/largest spacing 1") != std::string::npos);
+}
+
+TEST_CASE("positions: perturbed particles too may be smoothed by their largest spacing") {
+    const std::string command = "derivative_test --formulation fpm --particles 30 --perturb 0.2";
+    const auto by_mean = run(command), by_largest = run(command + " --smoothing-from largest");
+    CHECK(by_largest.code == 0);
+    CHECK(by_largest.output != by_mean.output);
+}
+
+TEST_CASE("positions: the programs refuse what does not go together, in one line") {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    report::write_whole(file, "0\n0.5\n0.4\n1\n");
+    for (const std::string program : {"derivative_test", "static_test", "vibration_test"}) {
+        const std::string command = program + " --positions " + file;
+        check_refused(command, 2, "x.csv, line 3: '0.4' does not lie beyond the position before it, 0.5");
+        for (const std::string option : {"--particles 10", "--perturb 0.1", "--seed 2", "--seeds 2"}) {
+            check_refused(command + " " + option, 2, option.substr(0, option.find(' ')));
+            check_refused(command + " " + option, 2, "excludes");
+        }
+        check_refused(program + " --positions /nowhere/x.csv", 1, "cannot read /nowhere/x.csv");
+        check_refused(program + " --smoothing-from least", 2,
+                      "there is no spacing 'least'; choose mean, largest or local");
+    }
+    report::write_whole(file, "0\n1\n");
+    check_refused("vibration_test --positions " + file, 2, "take at least 3");
+    check_refused("derivative_test --positions ''", 2, "--positions is empty");
+}
+
+TEST_CASE(
+    "positions: with h from the local spacing, a graded line costs no more neighbours than a uniform one") {
+    const Folder folder;
+    const std::string file = folder.path + "/graded.txt";
+    std::string text;
+    for (int k = 0; k < 60; ++k)
+        text += std::to_string((std::pow(1.1, k) - 1) / (std::pow(1.1, 59) - 1)) + "\n";
+    text.replace(text.rfind("1.0"), 8, "1");
+    report::write_whole(file, text);
+    const std::string command =
+        "derivative_test --formulation second_order_fpm --kernel quintic_spline --smoothing 1.5";
+    // With the mean spacing, the wide cells of this line have too few neighbours.
+    check_refused(command + " --positions " + file, 1, "second_order_fpm: particle 5");
+    const auto local =
+        report::parsed(run(command + " --positions " + file + " --smoothing-from local").output);
+    REQUIRE(local.rows.size() == 1);
+    CHECK(std::get<double>(local.rows[0][local.column("error_second")]) < 0.1);
+    check_refused(
+        "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from local "
+        "--positions " +
+            file,
+        1, "times as large");
+}
+
+TEST_CASE("positions: what is no number or infinite is no header") {
+    for (const char* first : {"nan", "NaN", "inf", "-inf", "infinity"})
+        CHECK_THROWS_WITH_AS(read(std::string(first) + "\n" + irregular), doctest::Contains("is no number"),
+                             base::InvalidInput);
+    CHECK(read("nanometres\n" + std::string(irregular)).size() == 15);
+}
