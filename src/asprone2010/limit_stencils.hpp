@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <vector>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "base/text.hpp"
@@ -168,6 +171,25 @@ numerical_tests::Particles<Scalar> right_end(const numerical_tests::Discretisati
 template <class Scalar>
 Scalar symbol(const Stencil<Scalar>& of, const Scalar& theta) {
     return (of.w * ((theta * of.r).cos() - 1)).sum();
+}
+
+/// The frequencies that the symbol gives to the N − 2 waves that vanish at both ends of a line of N particles,
+/// \f$\omega_n = \sqrt{-\lambda(\theta_n)}/\delta\f$ with \f$\theta_n = \pi n\,\delta\f$ and \f$\delta = 1/(N-1)\f$, in increasing order.
+/// Where λ is positive the frequency counts as zero.
+inline std::vector<double> symbol_frequencies(const Formulation<double>& formulation,
+                                              const numerical_tests::Discretisation& how, Index N) {
+    const Index rows = first_interior<double>(how);
+    const auto [line, smoothing] = right_end<double>(how, rows, 1.0);
+    const auto operators = formulation.operators(line, smoothing);
+    const auto inside = row<double>(operators.D2, line, line.size() - 1 - rows, 1.0, 2);
+    const auto intervals = static_cast<double>(N - 1);
+    std::vector<double> frequencies;
+    for (Index n = 1; n + 1 < N; ++n) {
+        const double theta = std::numbers::pi * static_cast<double>(n) / intervals;
+        frequencies.push_back(std::sqrt(std::max(-symbol(inside, theta), 0.0)) * intervals);
+    }
+    std::sort(frequencies.begin(), frequencies.end());
+    return frequencies;
 }
 
 }  // namespace limit_stencils

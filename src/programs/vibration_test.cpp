@@ -1,7 +1,5 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,24 +12,14 @@ namespace {
 
 using namespace asprone2010;
 
-/// What the symbol of D² makes of the N − 2 waves that vanish at both ends of the line: their frequencies in increasing order.
-/// None for the finite elements and for particles that do not lie on a lattice.
-std::vector<double> symbol_frequencies(const command_line::Options& options, const command_line::Case& of) {
-    if (of.formulation.starts_with("fem") || of.perturbation != 0 || options.positions.size() > 0) return {};
-    const numerical_tests::Discretisation how{particles::volumes_named(options.volumes),
-                                              particles::kernel_named(options.kernel), options.smoothing};
-    const Index rows = limit_stencils::first_interior<double>(how);
-    const auto [line, smoothing] = limit_stencils::right_end<double>(how, rows, 1.0);
-    const auto operators = command_line::formulation_named(of.formulation).operators(line, smoothing);
-    const auto inside = limit_stencils::row<double>(operators.D2, line, line.size() - 1 - rows, 1.0, 2);
-    std::vector<double> frequencies;
-    for (Index n = 1; n + 1 < of.particles; ++n) {
-        const double theta = vibration_test::exact_frequency(n) / static_cast<double>(of.particles - 1);
-        const double lambda = limit_stencils::symbol(inside, theta);
-        frequencies.push_back(std::sqrt(std::max(-lambda, 0.0)) * static_cast<double>(of.particles - 1));
-    }
-    std::sort(frequencies.begin(), frequencies.end());
-    return frequencies;
+/// The frequencies of the symbol of D²; none for finite elements and for particles that do not lie on a lattice.
+std::vector<double> symbol_frequencies(const command_line::Options& options, const command_line::Case& line) {
+    if (line.formulation.starts_with("fem") || line.perturbation != 0 || options.positions.size() > 0)
+        return {};
+    return limit_stencils::symbol_frequencies(command_line::formulation_named(line.formulation),
+                                              {particles::volumes_named(options.volumes),
+                                               particles::kernel_named(options.kernel), options.smoothing},
+                                              line.particles);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "asprone2010/limit_stencils.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "tests/relative.hpp"
@@ -107,6 +109,13 @@ TEST_CASE("limit_stencils: the symbol is that of central differences for a stenc
     CHECK(leading_error(central, 2).exponent == 2);
     CHECK(leading_error(central, 2).constant == relative(1.0 / 12, 1e-14));
     CHECK(amplification(central) == 4);
+}
+
+TEST_CASE("limit_stencils: the symbol's frequencies increase, and long waves have the exact ones") {
+    const auto frequencies = symbol_frequencies(formulation_named<double>("second_order_fpm"), {}, 100);
+    REQUIRE(frequencies.size() == 98);
+    CHECK(std::is_sorted(frequencies.begin(), frequencies.end()));
+    for (const int n : {1, 2, 3}) CHECK(frequencies[n - 1] == relative(std::numbers::pi * n, 2e-3));
 }
 
 TEST_CASE("limit_stencils: a row that is exact beyond the twelfth derivative has no leading error") {
