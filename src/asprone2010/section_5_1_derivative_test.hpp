@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <optional>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
+#include "base/smooth.hpp"
 
 namespace asprone2010 {
 
@@ -13,7 +13,7 @@ namespace asprone2010 {
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$f(x) = e^x\f$ | `exponential()` | the function, with its derivatives |
-/// | \f$f''(x)\f$ | `Exact::D2f` | its second derivative |
+/// | \f$f''(x)\f$ | `Smooth::D2f` | its second derivative |
 /// | infinity norm | `Errors` | largest error over the particles, all or interior |
 ///
 /// The particles hold the exact values; D and D² are applied to them and compared with the exact derivatives in the
@@ -25,15 +25,11 @@ namespace asprone2010 {
 /// \claim{A15f}, \claim{A15g}, \claim{A16}.
 namespace derivative_test {
 
-/// A function and its exact derivatives, for one position each.
-template <class Scalar = double>
-struct Exact {
-    std::function<Scalar(const Scalar&)> f, Df, D2f;
-};
+using base::Smooth;
 
 /// The paper's function, \f$f(x) = e^x\f$.
 template <class Scalar = double>
-Exact<Scalar> exponential() {
+Smooth<Scalar> exponential() {
     const auto exponential_of = [](const Scalar& x) {
         using std::exp;
         return Scalar(exp(x));
@@ -52,7 +48,7 @@ struct Errors {
 /// both ends. (Operators applied twice feel the boundary over twice that distance.)
 template <class Scalar>
 Errors<Scalar> errors(const Formulation<Scalar>& formulation,
-                      const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact) {
+                      const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact) {
     const auto& [line, smoothing] = discrete;
     const Column<Scalar>& x = line.x();
     const auto [D, D2] = formulation.operators(line, smoothing);

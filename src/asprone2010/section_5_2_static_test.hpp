@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
+#include "base/smooth.hpp"
 #include "solvers/banded.hpp"
 
 namespace asprone2010 {
@@ -32,15 +32,11 @@ namespace asprone2010 {
 /// \claim{A17f}, \claim{A18a}, \claim{A18b}, \claim{A19}, \claim{A20}.
 namespace static_test {
 
-/// A displacement with its first and second derivatives: it defines the load and the end values of a problem.
-template <class Scalar = double>
-struct Exact {
-    std::function<Scalar(const Scalar&)> u, Du, D2u;
-};
+using base::Smooth;
 
 /// The paper's case: f = eˣ, u(0) = u′(1) = 0, so that \f$u = -e^x + ex + 1\f$.
 template <class Scalar = double>
-Exact<Scalar> exponential_load() {
+Smooth<Scalar> exponential_load() {
     using std::exp;
     const Scalar e = exp(Scalar(1));
     return {[e](const Scalar& x) -> Scalar { return -exp(x) + e * x + 1; },
@@ -69,12 +65,13 @@ Operator<Scalar> system(Operator<Scalar>&& D2, const Operator<Scalar>& D) {
 }
 
 /// The right-hand side that belongs to system(): the first displacement, the load, the last derivative.
+/// \param exact the displacement u with its derivatives: it defines the load and the end values
 template <class Scalar>
-Column<Scalar> right_hand_side(const Line<Scalar>& line, const Exact<Scalar>& exact) {
+Column<Scalar> right_hand_side(const Line<Scalar>& line, const Smooth<Scalar>& exact) {
     const Index N = line.size();
-    Column<Scalar> f = -line.x().unaryExpr(exact.D2u);
-    f[0] = exact.u(line.x()[0]);
-    f[N - 1] = exact.Du(line.x()[N - 1]);
+    Column<Scalar> f = -line.x().unaryExpr(exact.D2f);
+    f[0] = exact.f(line.x()[0]);
+    f[N - 1] = exact.Df(line.x()[N - 1]);
     return f;
 }
 
@@ -100,7 +97,7 @@ inline constexpr int most_corrections = 10;
 /// \throws base::FailedComputation where the system is singular
 template <class Scalar>
 Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
-                            const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact,
+                            const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact,
                             int corrections = most_corrections) {
     const auto& [line, smoothing] = discrete;
     auto [D, D2] = formulation.operators(line, smoothing);
@@ -124,16 +121,16 @@ Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formul
 /// Infinity norm of the displacement's error.
 template <class Scalar>
 Scalar error(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
-             const numerical_tests::Particles<Scalar>& discrete, const Exact<Scalar>& exact,
+             const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact,
              int corrections = most_corrections) {
     const Column<Scalar> u = displacement(formulation, end, discrete, exact, corrections);
-    return numerical_tests::distance<Scalar>(u, discrete.line.x().unaryExpr(exact.u));
+    return numerical_tests::distance<Scalar>(u, discrete.line.x().unaryExpr(exact.f));
 }
 
 /// The same with the formulation's own derivative at the last particle, as we chose.
 template <class Scalar>
 Scalar error(const Formulation<Scalar>& formulation, const numerical_tests::Particles<Scalar>& discrete,
-             const Exact<Scalar>& exact) {
+             const Smooth<Scalar>& exact) {
     return error(formulation, formulation, discrete, exact);
 }
 

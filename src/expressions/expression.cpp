@@ -624,7 +624,7 @@ std::function<Scalar(const Scalar&)> callable(Program program) {
 }  // namespace
 
 template <class Scalar>
-Expression<Scalar> expression(const std::string& option, const std::string& text) {
+base::Smooth<Scalar> expression(const std::string& option, const std::string& text) {
     try {
         const GiNaC::realsymbol x("x");
         const std::array<const char*, 3> what{"the function", "its first derivative",
@@ -648,8 +648,8 @@ Expression<Scalar> expression(const std::string& option, const std::string& text
     }
 }
 
-template Expression<double> expression(const std::string&, const std::string&);
-template Expression<long double> expression(const std::string&, const std::string&);
-template Expression<Quad> expression(const std::string&, const std::string&);
+template base::Smooth<double> expression(const std::string&, const std::string&);
+template base::Smooth<long double> expression(const std::string&, const std::string&);
+template base::Smooth<Quad> expression(const std::string&, const std::string&);
 
 }  // namespace expressions

@@ -1,21 +1,14 @@
 #pragma once
 
-#include <functional>
 #include <string>
+
+#include "base/smooth.hpp"
 
 namespace expressions {
 
 /// What an expression is made of, for --help.
 inline constexpr const char* vocabulary =
     "numbers, x, pi, e, + - * / ^ ( ), sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt";
-
-/// A function of x on [0, 1] with its first and second derivative, as typed on a command line.
-/// \tparam Scalar double, long double or base::Quad
-template <class Scalar = double>
-struct Expression {
-    std::function<Scalar(const Scalar&)> value, first,
-        second;  ///< may be called from several threads at once
-};
 
 /// Reads an expression such as `sin(5*x)+x^2` and differentiates it exactly, by GiNaC.
 ///
@@ -31,6 +24,6 @@ struct Expression {
 /// \throws base::InvalidInput, in one line, naming the character that cannot be read, or the place where the function or
 ///         a derivative is not bounded
 template <class Scalar = double>
-Expression<Scalar> expression(const std::string& option, const std::string& text);
+base::Smooth<Scalar> expression(const std::string& option, const std::string& text);
 
 }  // namespace expressions

@@ -14,10 +14,9 @@ using namespace asprone2010;
 
 /// The reader's function, or the paper's.
 template <class Scalar>
-derivative_test::Exact<Scalar> exact_function(const std::optional<std::string>& text) {
+base::Smooth<Scalar> exact_function(const std::optional<std::string>& text) {
     if (!text) return derivative_test::exponential<Scalar>();
-    const auto [value, first, second] = expressions::expression<Scalar>("--function", *text);
-    return {value, first, second};
+    return expressions::expression<Scalar>("--function", *text);
 }
 
 }  // namespace

@@ -14,10 +14,9 @@ using namespace asprone2010;
 
 /// The reader's displacement, or the paper's.
 template <class Scalar>
-static_test::Exact<Scalar> exact_displacement(const std::optional<std::string>& text) {
+base::Smooth<Scalar> exact_displacement(const std::optional<std::string>& text) {
     if (!text) return static_test::exponential_load<Scalar>();
-    const auto [value, first, second] = expressions::expression<Scalar>("--displacement", *text);
-    return {value, first, second};
+    return expressions::expression<Scalar>("--displacement", *text);
 }
 
 }  // namespace

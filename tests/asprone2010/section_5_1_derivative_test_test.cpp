@@ -94,7 +94,7 @@ TEST_CASE(
 }
 
 TEST_CASE("5.1: each error is that of its own derivative, everywhere and inside") {
-    const derivative_test::Exact<double> off_by_two_and_three{
+    const base::Smooth<> off_by_two_and_three{
         [](double x) { return x * x; }, [](double x) { return 2 * x + 2; }, [](double) { return 2.0 + 3; }};
     const auto of = derivative_test::errors(formulation_named<double>("second_order_fpm"), particles_of(50),
                                             off_by_two_and_three);

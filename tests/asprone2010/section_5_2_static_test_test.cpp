@@ -28,12 +28,12 @@ double order(std::string_view name, const std::vector<Index>& particles, Volumes
 
 TEST_CASE("5.2: the exact solution satisfies (45) and both end conditions") {
     const auto exact = static_test::exponential_load();
-    CHECK(exact.u(0) == 0);
-    CHECK(std::abs(exact.Du(1)) < 1e-15);
+    CHECK(exact.f(0) == 0);
+    CHECK(std::abs(exact.Df(1)) < 1e-15);
     for (const double x : {0.1, 0.5, 0.9}) {
-        CHECK(-exact.D2u(x) == std::exp(x));
-        CHECK(exact.Du(x) == support::relative((exact.u(x + 1e-5) - exact.u(x - 1e-5)) / 2e-5, 1e-8));
-        CHECK(exact.D2u(x) == support::relative((exact.Du(x + 1e-5) - exact.Du(x - 1e-5)) / 2e-5, 1e-8));
+        CHECK(-exact.D2f(x) == std::exp(x));
+        CHECK(exact.Df(x) == support::relative((exact.f(x + 1e-5) - exact.f(x - 1e-5)) / 2e-5, 1e-8));
+        CHECK(exact.D2f(x) == support::relative((exact.Df(x + 1e-5) - exact.Df(x - 1e-5)) / 2e-5, 1e-8));
     }
 }
 
@@ -47,8 +47,8 @@ TEST_CASE(
     CHECK(A.row(0) == Eigen::RowVectorXd::Unit(30, 0));
     CHECK(A.middleRows(1, 28) == -Eigen::MatrixXd(operators.D2).middleRows(1, 28));
     CHECK(A.row(29) == Eigen::MatrixXd(operators.D).row(29));
-    const static_test::Exact<> exact{[](double x) { return 5 + x; }, [](double x) { return 7 + x; },
-                                     [](double x) { return 9 * x; }};
+    const base::Smooth<> exact{[](double x) { return 5 + x; }, [](double x) { return 7 + x; },
+                               [](double x) { return 9 * x; }};
     const Column<double> f = static_test::right_hand_side(line, exact);
     CHECK(f[0] == 5);
     CHECK(f[10] == -9 * line.x()[10]);
@@ -76,8 +76,8 @@ TEST_CASE("5.2: corrections restore in double precision what the condition of lo
 }
 
 TEST_CASE("5.2: a parabola is solved exactly by the formulations that differentiate it exactly") {
-    const static_test::Exact<> parabola{[](double x) { return 1 + 2 * x - 3 * x * x; },
-                                        [](double x) { return 2 - 6 * x; }, [](double) { return -6.0; }};
+    const base::Smooth<> parabola{[](double x) { return 1 + 2 * x - 3 * x * x; },
+                                  [](double x) { return 2 - 6 * x; }, [](double) { return -6.0; }};
     for (const char* name : {"modified_fpm", "second_order_fpm"})
         CHECK(static_test::error(formulation_named<double>(name),
                                  particles_of(50, {Volumes::partition, Gaussian{}, 1, 0.4}),
