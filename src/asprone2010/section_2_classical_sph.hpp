@@ -40,7 +40,7 @@ using particles::Operator;
 /// for volumes that tile Ω (`partition`); the tests of Section 5 take δ for every particle by default (`equal`), for reasons
 /// that \ref asprone2010::numerical_tests gives.
 ///
-/// Measured claims of this section: \claim{A01a}, \claim{A01b}, \claim{A01c}, \claim{A01d}.
+/// What this section claims, and what was measured: \claims{A-2}.
 namespace classical_sph {
 
 /// Dirac's delta at \f$x_i\f$ picks the value there: all that follows approximates this. \defeq{A1}

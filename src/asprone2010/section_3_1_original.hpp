@@ -15,8 +15,7 @@ namespace asprone2010 {
 /// | \f$D^2B(x_i)\f$ | `second_derivative` | approximation of the second derivative |
 /// | \f$n\f$ | −1, +1 | outward normal at the ends of Ω |
 ///
-/// Measured claims of this section: \claim{A02a}, \claim{A02b}, \claim{A02c}, \claim{A02d}, \claim{A02e},
-/// \claim{A03a}, \claim{A03b}.
+/// What this section claims, and what was measured: \claims{A-3.1}.
 namespace original {
 
 /// The first step applied to the derivative. \defeq{A5}

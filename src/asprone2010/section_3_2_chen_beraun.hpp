@@ -20,8 +20,7 @@ namespace asprone2010 {
 /// \eq{A15}, \eq{A19} and \eq{A20} are approximate. And \eq{A20} errs by O(h) at the boundary only if DB errs by no more than
 /// O(h²) there: with DB from \eq{A16}, whose error is O(h) and is divided by h, D²B errs by a constant.
 ///
-/// Measured claims of this section: \claim{A04a}, \claim{A04b}, \claim{A04c}, \claim{A05}, \claim{A06a},
-/// \claim{A06b}, \claim{A25}, \claim{A26a}, \claim{A26b}.
+/// What this section claims, and what was measured: \claims{A-3.2}.
 namespace chen_beraun {
 
 /// Taylor's expansion to the first derivative. \defeq{A13}

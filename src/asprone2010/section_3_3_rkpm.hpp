@@ -24,8 +24,7 @@ namespace asprone2010 {
 /// The moments are imposed on the sums where sums are taken; the print imposes them on integrals here, and on sums in
 /// Section 4 only. For the second order this choice has a large effect, which \ref choices measures.
 ///
-/// Measured claims of this section: \claim{A07a}, \claim{A07b}, \claim{A07c}, \claim{A07d}, \claim{A08a},
-/// \claim{A08b}.
+/// What this section claims, and what was measured: \claims{A-3.3}.
 namespace rkpm {
 
 /// The improved representation of a function. \defeq{A21}

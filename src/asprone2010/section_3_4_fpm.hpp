@@ -17,7 +17,7 @@ namespace asprone2010 {
 /// the expansion leaves of B (as in \eq{A14}) they are subtracted; orders are not affected.
 /// \eq{A32} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
 ///
-/// Measured claims of this section: \claim{A09a}, \claim{A09b}, \claim{A09c}, \claim{A09d}, \claim{A09e}.
+/// What this section claims, and what was measured: \claims{A-3.4}.
 namespace fpm {
 
 /// Expansion against \f$W_i\f$; the remainder \f$e'_1\f$ is the projection of B minus the left-hand side. \defeq{A27}

@@ -16,7 +16,7 @@ namespace asprone2010 {
 /// Departures from the print: the remainders are subtracted, as in Section 3.4.
 /// \eq{A38} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
 ///
-/// Measured claims of this section: \claim{A10a}, \claim{A10b}, \claim{A10c}, \claim{A10d}.
+/// What this section claims, and what was measured: \claims{A-3.5}.
 namespace modified_fpm {
 
 /// Expansion against \f$W_i\f$; returns the remainder \f$e''_1\f$. \defeq{A33}

@@ -22,8 +22,7 @@ namespace asprone2010 {
 /// \eq{A44} stands without its middle lines, in which the norms and the powers of h are taken out of A; the inverse
 /// is written with A in the place of the constants C.
 ///
-/// Measured claims of this section: \claim{A11a}, \claim{A11b}, \claim{A12}, \claim{A13}, \claim{A14a},
-/// \claim{A14b}, \claim{A14c}.
+/// What this section claims, and what was measured: \claims{A-4}.
 namespace second_order_fpm {
 
 /// The corrected kernel, for the integral forms; its coefficients a, b, c follow from \eq{A41}. \defeq{A39}

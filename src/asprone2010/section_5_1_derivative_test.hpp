@@ -21,8 +21,7 @@ namespace asprone2010 {
 ///
 /// \image html asprone2010_figure_1.svg "Infinity norm of the error of the second derivative against the number of particles, and its spread on perturbed particles."
 ///
-/// Measured claims of this section: \claim{A15a}, \claim{A15b}, \claim{A15c}, \claim{A15d}, \claim{A15e},
-/// \claim{A15f}, \claim{A15g}, \claim{A16}.
+/// What this section claims, and what was measured: \claims{A-5.1}.
 namespace derivative_test {
 
 using base::Smooth;

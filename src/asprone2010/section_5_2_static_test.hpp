@@ -28,8 +28,7 @@ namespace asprone2010 {
 ///
 /// \image html asprone2010_figure_scale.svg "Error of the displacement on long lines, solved once and corrected."
 ///
-/// Measured claims of this section: \claim{A17a}, \claim{A17b}, \claim{A17c}, \claim{A17d}, \claim{A17e},
-/// \claim{A17f}, \claim{A18a}, \claim{A18b}, \claim{A19}, \claim{A20}.
+/// What this section claims, and what was measured: \claims{A-5.2}.
 namespace static_test {
 
 using base::Smooth;

@@ -48,9 +48,7 @@ using particles::Surroundings;
 /// Enough particles do not make C non-singular: in two dimensions particles on a conic (a circle, say) leave it singular for
 /// m = 2, and a particle at a distance of ρh exactly has no weight.
 ///
-/// Measured claims of this section: \claim{B19a}, \claim{B19b}, \claim{B20a}, \claim{B20b}, \claim{B20c},
-/// \claim{B20d}, \claim{B20e}, \claim{B20f}, \claim{B20g}, \claim{B20h}, \claim{B20i}, \claim{B21a}, \claim{B21b},
-/// \claim{B21c}.
+/// What this section claims, and what was measured: \claims{B-2}.
 namespace ssph_basis {
 
 /// Number of monomials of degree m or less in so many dimensions.

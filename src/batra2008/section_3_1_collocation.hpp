@@ -39,7 +39,7 @@ inline Eigen::VectorXd solved(System of) {
 /// Departures from the print: entry (2, 2) of the matrix below \eq{B3.14} has ν0 n2 K3J; \eq{B3.3} and the symmetry of the stress
 /// ask for n2 K3J, and with the entry as printed the plate's error is a hundred times as large (\claim{B23b}). The body force is zero there and kept here.
 ///
-/// Measured claims of this section: \claim{B23a}, \claim{B23b}.
+/// What this section claims, and what was measured: \claims{B-3.1}.
 namespace collocation {
 
 /// Two rows of the system: for each neighbour, how its displacement enters.

@@ -25,7 +25,7 @@ namespace batra2008 {
 /// are those within ρh of that point, where h is the smoothing length of the particle that owns the disc; h is not differentiated in
 /// weak2. Each component of a side is displaced or loaded for itself.
 ///
-/// Measured claims of this section: \claim{B22}.
+/// What this section claims, and what was measured: \claims{B-3.2}.
 namespace mlpg {
 
 /// The test function, and with its own scaling factor the kernel of Section 2. \defeq{B3.15}

@@ -74,9 +74,9 @@ std::string number(const std::string& equation) {
     return equation.substr(1);
 }
 
-/// Where an equation stands in the index. Doxygen's anchors have no dots.
-std::string index_anchor(const std::string& equation) {
-    return "index_" + replaced(equation, ".", "_");
+/// The anchor of an equation ("index"), of a claim ("claim") or of a section's claims ("claims"). Doxygen's anchors have no dots.
+std::string anchor_of(const std::string& kind, const std::string& key) {
+    return kind + "_" + replaced(key, ".", "_");
 }
 
 /// The text of a cell with its paper's equations that it names, "(16)", as links.
@@ -167,7 +167,7 @@ std::string equation_page(const std::vector<Reproduction>& all) {
                 if ((" " + claims.word(claim, "equations") + " ").find(" " + number(equation) + " ") !=
                     std::string::npos)
                     about += " \\claim{" + claims.word(claim, "id") + "}";
-            page += "| \\anchor " + index_anchor(equation) + " \\eq{" + equation + "} | \\ref " +
+            page += "| \\anchor " + anchor_of("index", equation) + " \\eq{" + equation + "} | \\ref " +
                     section_page(equations.word(row, "code")) + " \"" + equations.word(row, "section") +
                     "\" | " + cell(equations.word(row, "meaning")) + " | \\ref " +
                     anchor(equations.word(row, "test")) + " \"tests\" | " + about + " |\n";
@@ -220,17 +220,18 @@ std::string claims_of(const Reproduction& of) {
                           verdict = verdicts.word(row, "verdict");
         const std::string shown = verdict == "reproduced" ? verdict : "**" + cell(verdict) + "**";
         sections[claims.word(row, "section")] +=
-            "| \\anchor claim_" + id + " \\ref " + anchor(claims.word(row, "test")) + " \"" + id + "\" | " +
-            claim_of(of, row) + " | " + shown + (conditional.empty() ? "" : " (then " + conditional + ")") +
-            " | " + linked(claims.word(row, "quantity"), equations) + ": " +
-            cell(verdicts.word(row, "statement")) + " (" + cell(claims.word(row, "reason")) + ") | " +
-            verdicts.word(row, "measured_" + one.name) + " | " +
-            verdicts.word(row, "measured_" + other.name) + " |\n";
+            "| \\anchor " + anchor_of("claim", id) + " \\ref " + anchor(claims.word(row, "test")) + " \"" +
+            id + "\" | " + claim_of(of, row) + " | " + shown +
+            (conditional.empty() ? "" : " (then " + conditional + ")") + " | " +
+            linked(claims.word(row, "quantity"), equations) + ": " + cell(verdicts.word(row, "statement")) +
+            " (" + cell(claims.word(row, "reason")) + ") | " + verdicts.word(row, "measured_" + one.name) +
+            " | " + verdicts.word(row, "measured_" + other.name) + " |\n";
     }
     std::string text = "## " + paper.citation + "\n\nThe two conventions: " + one.name + ", " +
                        one.condition + "; " + other.name + ", " + other.condition + ".\n\n";
     for (const auto& [section, rows] : sections)
-        text += "### Section " + section + ": " + tally(verdicts, section) +
+        text += "### Section " + section + ": " + tally(verdicts, section) + "\n\n\\anchor " +
+                anchor_of("claims", paper.letter + "-" + section) +
                 "\n\n| claim | says | verdict | stated of (why so closely) | " + one.name + " | " +
                 other.name + " |\n| --- | --- | --- | --- | --- | --- |\n" + rows + "\n";
     return text;
