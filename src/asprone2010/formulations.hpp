@@ -7,6 +7,7 @@
 #include "asprone2010/section_3_2_chen_beraun.hpp"
 #include "asprone2010/section_3_4_fpm.hpp"
 #include "asprone2010/section_4_second_order_fpm.hpp"
+#include "base/choose.hpp"
 #include "particles/operators.hpp"
 
 namespace asprone2010 {
@@ -81,13 +82,9 @@ extern template const std::vector<Formulation<double>>& formulations();
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>
 const Formulation<Scalar>& formulation_named(std::string_view wanted) {
-    std::string names;
-    for (const auto& formulation : formulations<Scalar>()) {
-        if (formulation.name == wanted) return formulation;
-        names += (names.empty() ? "" : ", ") + std::string(formulation.name);
-    }
-    throw base::InvalidInput("there is no formulation '" + std::string(wanted) + "'; choose all or some of " +
-                             names);
+    std::vector<std::pair<std::string, const Formulation<Scalar>*>> known;
+    for (const auto& formulation : formulations<Scalar>()) known.emplace_back(formulation.name, &formulation);
+    return *base::choose("formulation", wanted, known);
 }
 
 }  // namespace asprone2010

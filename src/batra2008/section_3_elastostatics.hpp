@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/choose.hpp"
 #include "base/text.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 #include "particles/region.hpp"
@@ -39,10 +40,8 @@ namespace elastostatics {
 enum class Plane { stress, strain };
 
 /// \throws base::InvalidInput for another name
-inline Plane plane_named(std::string_view name) {
-    if (name == "stress") return Plane::stress;
-    if (name == "strain") return Plane::strain;
-    throw base::InvalidInput("there is no plane '" + std::string(name) + "'; choose stress or strain");
+inline Plane plane_named(std::string_view wanted) {
+    return base::choose<Plane>("plane", wanted, {{"stress", Plane::stress}, {"strain", Plane::strain}});
 }
 
 /// An isotropic linear elastic material.

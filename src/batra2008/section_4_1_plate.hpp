@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/choose.hpp"
 #include "batra2008/section_4_example_problems.hpp"
 
 namespace batra2008 {
@@ -89,14 +90,13 @@ inline std::vector<example_problems::MeshPoint> mesh(Index nx, Index ny) {
 
 /// A condition at a corner by its name: u1, u2, s11, s22 or s12.
 /// \throws base::InvalidInput for another name
-inline elastostatics::Condition condition_named(std::string_view name) {
-    if (name == "u1") return {true, 0};
-    if (name == "u2") return {true, 1};
-    if (name == "s11") return {false, 0, Vector::UnitX()};
-    if (name == "s12") return {false, 1, Vector::UnitX()};
-    if (name == "s22") return {false, 1, Vector::UnitY()};
-    throw base::InvalidInput("there is no condition '" + std::string(name) +
-                             "'; choose two of u1, u2, s11, s22, s12");
+inline elastostatics::Condition condition_named(std::string_view wanted) {
+    return base::choose<elastostatics::Condition>("condition", wanted,
+                                                  {{"u1", {true, 0}},
+                                                   {"u2", {true, 1}},
+                                                   {"s11", {false, 0, Vector::UnitX()}},
+                                                   {"s22", {false, 1, Vector::UnitY()}},
+                                                   {"s12", {false, 1, Vector::UnitX()}}});
 }
 
 /// The names of the two conditions at each corner, in the print's order.

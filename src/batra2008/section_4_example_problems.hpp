@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/choose.hpp"
 #include "batra2008/section_3_2_mlpg.hpp"
 
 namespace batra2008 {
@@ -30,10 +31,8 @@ inline std::string name(Method method) {
 
 /// \throws base::InvalidInput for another name
 inline Method method_named(std::string_view wanted) {
-    for (const Method method : {Method::strong, Method::weak1, Method::weak2})
-        if (name(method) == wanted) return method;
-    throw base::InvalidInput("there is no method '" + std::string(wanted) +
-                             "'; choose all, or some of strong, weak1, weak2");
+    return base::choose<Method>(
+        "method", wanted, {{"strong", Method::strong}, {"weak1", Method::weak1}, {"weak2", Method::weak2}});
 }
 
 /// How a problem is solved.

@@ -23,40 +23,6 @@ using report::Cell;
 
 namespace {
 
-std::vector<std::string> parts(const std::string& text, char between) {
-    std::vector<std::string> found;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, between);) found.push_back(part);
-    return found;
-}
-
-bool read(const std::string& text, double& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
-/// The numbers behind a colon-free or a ranged part of a list.
-std::vector<double> expanded(const std::string& option, const std::string& part) {
-    std::vector<double> ends;
-    for (const std::string& end : parts(part, ':')) {
-        double number = 0;
-        if (!read(end, number))
-            throw InvalidInput(option + ": '" + part + "' is neither a number nor a range from:step:to");
-        ends.push_back(number);
-    }
-    if (ends.size() == 1) return ends;
-    if (ends.size() != 3 || !(ends[1] > 0) || ends[2] < ends[0] || (ends[2] - ends[0]) / ends[1] > 1e4)
-        throw InvalidInput(option + ": '" + part + "' is no range from:step:to of at most 10000 steps");
-    std::vector<double> all;
-    const auto steps = std::lround(std::floor((ends[2] - ends[0]) / ends[1] * (1 + 1e-12) + 1e-9));
-    const double digits = std::pow(10, 9 - std::floor(std::log10(ends[1])));
-    for (long k = 0; k <= steps; ++k) {  // rounded, so that 2:0.1:4 says 2.3 and not 2.3000000000000003
-        const double number = ends[0] + static_cast<double>(k) * ends[1];
-        all.push_back(std::abs(number) * digits < 1e15 ? std::round(number * digits) / digits : number);
-    }
-    return all;
-}
-
 /// Largest memory of this process since forget_peak(), in MB; zero where the system does not say.
 double peak() {
     std::ifstream status("/proc/self/status");
@@ -109,33 +75,6 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
     app.add_output(options.output);
 }
 
-std::vector<double> numbers(const std::string& option, const std::string& list) {
-    std::vector<double> all;
-    for (const std::string& part : parts(list, ','))
-        for (const double number : expanded(option, part)) all.push_back(number);
-    if (all.empty()) throw InvalidInput(option + " needs at least one number");
-    return all;
-}
-
-std::vector<long> whole_numbers(const std::string& option, const std::string& list) {
-    std::vector<long> all;
-    for (const double number : numbers(option, list)) {
-        if (number != std::round(number) || std::abs(number) > 1e9)
-            throw InvalidInput(option + ": " + base::shown(number) + " is no whole number");
-        all.push_back(std::lround(number));
-    }
-    return all;
-}
-
-std::array<long, 2> pair_of(const std::string& option, const std::string& text) {
-    const std::vector<std::string> both = parts(text, 'x');
-    double first = 0, second = 0;
-    if (both.size() != 2 || !read(both[0], first) || !read(both[1], second) || first != std::round(first) ||
-        second != std::round(second) || std::max(std::abs(first), std::abs(second)) > 1e6)
-        throw InvalidInput(option + ": '" + text + "' is no pair of whole numbers such as 16x4");
-    return {std::lround(first), std::lround(second)};
-}
-
 void check_cloud(double particles, double neighbours) {
     // Two rows for each particle, two entries in each for a neighbour: by rows, by columns, and in factors that fill in.
     const double entries = 4 * particles * std::min(neighbours, particles);
@@ -156,12 +95,9 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
     if (options.seconds && !options.states.empty())
         throw InvalidInput("--seconds stand beside errors; leave --states out");
     check_apart({{"--output", options.output}, {"--field", options.field}});
-    std::vector<Method> methods{Method::strong, Method::weak1, Method::weak2};
-    if (options.methods != std::vector<std::string>{"all"}) {
-        methods.clear();
-        for (const std::string& name : options.methods)
-            methods.push_back(example_problems::method_named(name));
-    }
+    std::vector<Method> methods;
+    for (const std::string& name : chosen("method", options.methods, {"strong", "weak1", "weak2"}))
+        methods.push_back(example_problems::method_named(name));
     auto count = static_cast<double>(methods.size());
     for (const auto& [option, list] : {std::pair("--poisson", options.poisson),
                                        {"--degree", options.degree},

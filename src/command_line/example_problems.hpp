@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "batra2008/section_4_example_problems.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/lists.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 
@@ -27,14 +27,6 @@ struct ExampleOptions {
 
 /// \param places what `--states` knows beside particles and a grid
 void add_options(CommandLine& app, ExampleOptions& options, const std::string& places);
-
-/// The numbers of a list such as 3,3.5,4 or 2:0.1:4. \param option what it belongs to
-/// \throws base::InvalidInput showing the part that is no number and no range
-std::vector<double> numbers(const std::string& option, const std::string& list);
-std::vector<long> whole_numbers(const std::string& option, const std::string& list);
-
-/// The pair of a text such as 16x4. \throws base::InvalidInput showing the text
-std::array<long, 2> pair_of(const std::string& option, const std::string& text);
 
 /// Refuses particles and places of states whose matrices and rows cannot be held. \throws base::InvalidInput
 /// \param neighbours of a particle at the least, within the support of the basis

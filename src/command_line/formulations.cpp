@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "base/choose.hpp"
 #include "base/quad.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 
@@ -48,13 +49,9 @@ const std::vector<asprone2010::Formulation<Scalar>>& formulations() {
 
 template <class Scalar>
 const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted) {
-    std::string names;
-    for (const auto& formulation : formulations<Scalar>()) {
-        if (formulation.name == wanted) return formulation;
-        names += (names.empty() ? "" : ", ") + std::string(formulation.name);
-    }
-    throw base::InvalidInput("there is no formulation '" + std::string(wanted) + "'; choose all or some of " +
-                             names);
+    std::vector<std::pair<std::string, const asprone2010::Formulation<Scalar>*>> known;
+    for (const auto& formulation : formulations<Scalar>()) known.emplace_back(formulation.name, &formulation);
+    return *base::choose("formulation", wanted, known);
 }
 
 template const std::vector<asprone2010::Formulation<double>>& formulations();

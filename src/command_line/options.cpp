@@ -15,6 +15,7 @@
 #include "base/memory.hpp"
 #include "base/text.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/lists.hpp"
 #include "command_line/positions.hpp"
 #include "command_line/progress.hpp"
 #include "report/file.hpp"
@@ -35,12 +36,6 @@ std::vector<std::string> known_formulations(const std::vector<std::string>& extr
     for (const auto& formulation : formulations()) names.emplace_back(formulation.name);
     names.insert(names.end(), extra.begin(), extra.end());
     return names;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
 }
 
 /// What is the same in all rows.
@@ -149,14 +144,8 @@ void add_precision(CommandLine& app, Options& options) {
 }
 
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
-    const std::vector<std::string> known = known_formulations(extra);
-    std::vector<std::string> wanted = options.formulations;
-    if (wanted == std::vector<std::string>{"all"}) wanted = known;
-    for (const std::string& name : wanted)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            throw InvalidInput(name == "all" ? "--formulation all takes no other beside it"
-                                             : "there is no formulation '" + name +
-                                                   "'; choose all or some of " + joined(known));
+    const std::vector<std::string> wanted =
+        chosen("formulation", options.formulations, known_formulations(extra));
 
     const auto moved = [](double a) { return a != 0; };
     if (options.seeds > 1 && std::none_of(options.perturbations.begin(), options.perturbations.end(), moved))

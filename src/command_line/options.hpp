@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
+#include "base/choose.hpp"
 #include "base/quad.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/plot.hpp"
@@ -50,10 +51,9 @@ void add_precision(CommandLine& app, Options& options);
 /// \throws base::InvalidInput for another name
 template <class Work>
 auto in_precision(const std::string& name, const Work& work) {
-    if (name == "double") return work(double());
-    if (name == "long") return work(static_cast<long double>(0));
-    if (name == "quad") return work(base::Quad());
-    throw base::InvalidInput("there is no precision '" + name + "'; choose double, long or quad");
+    using Zero = std::variant<double, long double, base::Quad>;
+    return std::visit(work, base::choose<Zero>("precision", name,
+                                               {{"double", 0.0}, {"long", 0.0L}, {"quad", base::Quad(0)}}));
 }
 
 /// One thing to compute: a formulation on one line of particles.

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "base/choose.hpp"
 #include "base/errors.hpp"
 #include "base/pack.hpp"
 
@@ -226,19 +227,9 @@ Scalar support(const Kernel& kernel) {
 
 /// \throws InvalidInput for a name that no kernel has
 inline Kernel kernel_named(std::string_view wanted) {
-    Kernel found;
-    bool known = false;
-    std::string names;
-    for_each_kernel([&](const Kernel& kernel) {
-        names += (names.empty() ? "" : ", ") + name(kernel);
-        if (name(kernel) == wanted) {
-            found = kernel;
-            known = true;
-        }
-    });
-    if (!known)
-        throw InvalidInput("there is no kernel '" + std::string(wanted) + "'; choose one of " + names);
-    return found;
+    std::vector<std::pair<std::string, Kernel>> known;
+    for_each_kernel([&](const Kernel& kernel) { known.emplace_back(name(kernel), kernel); });
+    return base::choose("kernel", wanted, known);
 }
 
 }  // namespace particles

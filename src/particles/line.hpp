@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/choose.hpp"
 #include "base/errors.hpp"
 #include "base/index.hpp"
 #include "base/pack.hpp"
@@ -39,11 +40,9 @@ enum class Volumes {
 };
 
 /// \throws InvalidInput for a name that no convention has
-inline Volumes volumes_named(std::string_view name) {
-    if (name == "equal") return Volumes::equal;
-    if (name == "partition") return Volumes::partition;
-    throw InvalidInput("there is no volume convention '" + std::string(name) +
-                       "'; choose equal or partition");
+inline Volumes volumes_named(std::string_view wanted) {
+    return base::choose<Volumes>("volume convention", wanted,
+                                 {{"equal", Volumes::equal}, {"partition", Volumes::partition}});
 }
 
 inline std::string name(Volumes volumes) {
@@ -58,11 +57,10 @@ enum class Spacing {
 };
 
 /// \throws InvalidInput for a name that no spacing has
-inline Spacing spacing_named(std::string_view name) {
-    if (name == "mean") return Spacing::mean;
-    if (name == "largest") return Spacing::largest;
-    if (name == "local") return Spacing::local;
-    throw InvalidInput("there is no spacing '" + std::string(name) + "'; choose mean, largest or local");
+inline Spacing spacing_named(std::string_view wanted) {
+    return base::choose<Spacing>(
+        "spacing", wanted,
+        {{"mean", Spacing::mean}, {"largest", Spacing::largest}, {"local", Spacing::local}});
 }
 
 /// A line of particles: positions in increasing order and the volume that each carries [length].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/choose.hpp"
 #include "base/errors.hpp"
 
 namespace report {
@@ -20,10 +21,9 @@ std::vector<Paper> papers(const Table& table) {
 }
 
 const Paper& paper_named(const std::string& folder, const std::vector<Paper>& papers) {
-    const auto found = std::find_if(papers.begin(), papers.end(),
-                                    [&](const Paper& paper) { return paper.folder == folder; });
-    if (found == papers.end()) throw base::InvalidInput("there is no paper '" + folder + "'");
-    return *found;
+    std::vector<std::pair<std::string, const Paper*>> known;
+    for (const Paper& paper : papers) known.emplace_back(paper.folder, &paper);
+    return *base::choose("paper", folder, known);
 }
 
 std::map<std::string, Table> by_paper(const Table& table, const std::vector<Paper>& papers) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/choose.hpp"
 #include "base/errors.hpp"
 
 namespace report {
@@ -19,10 +20,10 @@ struct Statement {
 /// \throws base::InvalidInput for an unknown relation
 inline bool fits(const Statement& statement, double measured) {
     const auto& [relation, expected, tolerance] = statement;
-    if (relation == "=") return std::abs(measured - expected) <= tolerance;
-    if (relation == "<") return measured < expected;
-    if (relation == ">") return measured > expected;
-    throw base::InvalidInput("there is no relation '" + relation + "'; choose =, < or >");
+    return base::choose<bool>("relation", relation,
+                              {{"=", std::abs(measured - expected) <= tolerance},
+                               {"<", measured < expected},
+                               {">", measured > expected}});
 }
 
 /// A measured number under a condition; the condition is empty for the claim as it stands.

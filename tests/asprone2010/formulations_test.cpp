@@ -45,7 +45,7 @@ TEST_CASE("formulations: names are those of the papers' tables, each once, in th
                                                  "rkpm_second_order", "fpm", "modified_fpm",
                                                  "second_order_fpm"});
     CHECK_THROWS_WITH_AS(formulation_named<double>("sph"),
-                         "there is no formulation 'sph'; choose all or some of original, chen_beraun, "
+                         "there is no formulation 'sph'; choose one of original, chen_beraun, "
                          "rkpm_first_order, rkpm_second_order, fpm, modified_fpm, second_order_fpm",
                          base::InvalidInput);
 }

@@ -70,7 +70,7 @@ TEST_CASE("elastostatics: materials without meaning are refused") {
     CHECK_THROWS_AS(checked({1, 0.6}), base::InvalidInput);
     CHECK_THROWS_AS(checked({1, 0.5, Plane::strain}), base::InvalidInput);
     CHECK_THROWS_AS(checked({1, std::nan("")}), base::InvalidInput);
-    CHECK_THROWS_WITH_AS(plane_named("flat"), doctest::Contains("choose stress or strain"),
+    CHECK_THROWS_WITH_AS(plane_named("flat"), doctest::Contains("choose one of stress, strain"),
                          base::InvalidInput);
 }
 

@@ -170,6 +170,6 @@ TEST_CASE("plate: grids without meaning and conditions that say the same are ref
     corners[1] = {"u1", "u1"};
     CHECK_THROWS_WITH_AS(plate::problem(material, corners),
                          doctest::Contains("corner 2 needs two different conditions"), base::InvalidInput);
-    CHECK_THROWS_WITH_AS(plate::condition_named("u3"), doctest::Contains("choose two of u1, u2, s11"),
+    CHECK_THROWS_WITH_AS(plate::condition_named("u3"), doctest::Contains("choose one of u1, u2, s11"),
                          base::InvalidInput);
 }

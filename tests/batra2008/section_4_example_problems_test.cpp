@@ -49,7 +49,7 @@ TEST_CASE("example_problems: methods by their names; degrees that a method canno
     CHECK(name(Method::strong) == "strong");
     CHECK(name(Method::weak1) == "weak1");
     CHECK(name(Method::weak2) == "weak2");
-    CHECK_THROWS_WITH_AS(method_named("weak3"), doctest::Contains("choose all, or some of strong"),
+    CHECK_THROWS_WITH_AS(method_named("weak3"), doctest::Contains("choose one of strong"),
                          base::InvalidInput);
     const Problem problem = plate::problem({plate::E, plate::nu});
     const Cloud<2> cloud(plate::grid(16, 4));

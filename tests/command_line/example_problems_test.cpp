@@ -6,29 +6,6 @@
 using namespace command_line;
 using namespace programs;
 
-TEST_CASE("example_problems: lists are numbers and ranges, whose ends belong to them") {
-    CHECK(numbers("--x", "3,3.5,4") == std::vector<double>{3, 3.5, 4});
-    CHECK(numbers("--x", "2:0.1:2.3") == std::vector<double>{2, 2.1, 2.2, 2.3});
-    CHECK(numbers("--x", "1e-13:1e-13:3e-13") == std::vector<double>{1e-13, 2e-13, 3e-13});
-    CHECK(numbers("--x", "0.3:1e-15:0.300000000000001").front() == 0.3);
-    CHECK(numbers("--x", "1,2:2:7") == std::vector<double>{1, 2, 4, 6});
-    CHECK(whole_numbers("--x", "3:1:5") == std::vector<long>{3, 4, 5});
-    for (const char* bad :
-         {"", "a", "1:2", "1:-1:3", "3:1:2", "1:1e-9:2", "nan", "1e999", "1:2:3:4", "1,,2"}) {
-        CAPTURE(bad);
-        CHECK_THROWS_AS((void)numbers("--x", bad), base::InvalidInput);
-    }
-    CHECK_THROWS_AS((void)whole_numbers("--x", "2.5"), base::InvalidInput);
-}
-
-TEST_CASE("example_problems: a pair of whole numbers") {
-    CHECK(pair_of("--x", "16x4") == std::array<long, 2>{16, 4});
-    for (const char* bad : {"16", "16x", "x4", "16x4x2", "1.5x2", "1e9x2", "axb"}) {
-        CAPTURE(bad);
-        CHECK_THROWS_AS((void)pair_of("--x", bad), base::InvalidInput);
-    }
-}
-
 TEST_CASE(
     "example_problems: --field writes displacements and stresses at the particles, as CSV and for ParaView") {
     const Folder folder;

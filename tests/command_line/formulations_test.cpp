@@ -38,10 +38,9 @@ TEST_CASE("formulations: the seven of asprone2010 and ssph, each under its own n
     CHECK(command_line::formulations().size() == formulations<double>().size() + 1);
     for (const auto& of : formulations<double>())
         CHECK(command_line::formulation_named(of.name).name == of.name);
-    CHECK_THROWS_WITH_AS(
-        command_line::formulation_named("nonsense"),
-        doctest::Contains("there is no formulation 'nonsense'; choose all or some of original"),
-        base::InvalidInput);
+    CHECK_THROWS_WITH_AS(command_line::formulation_named("nonsense"),
+                         doctest::Contains("there is no formulation 'nonsense'; choose one of original"),
+                         base::InvalidInput);
 }
 
 TEST_CASE("formulations: ssph is exact on parabolas, for irregular particles and every kernel") {

@@ -69,7 +69,7 @@ TEST_CASE(
 TEST_CASE("options: bad invocations end with code 2 and one line that names the cause") {
     for (const std::string program : {"derivative_test", "static_test", "vibration_test"}) {
         check_refused(program + " --formulation sph", 2,
-                      "there is no formulation 'sph'; choose all or some of original");
+                      "there is no formulation 'sph'; choose one of all, original");
         check_refused(program + " --particles 1", 2, "at least 2 particles, got 1");
         check_refused(program + " --particles -5", 2, "at least 2 particles, got -5");
         check_refused(program + " --particles abc", 2, "abc");

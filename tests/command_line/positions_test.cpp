@@ -175,7 +175,7 @@ TEST_CASE("positions: the programs refuse what does not go together, in one line
         }
         check_refused(program + " --positions /nowhere/x.csv", 1, "cannot read /nowhere/x.csv");
         check_refused(program + " --smoothing-from least", 2,
-                      "there is no spacing 'least'; choose mean, largest or local");
+                      "there is no spacing 'least'; choose one of mean, largest, local");
     }
     report::write_whole(file, "0\n1\n");
     check_refused("vibration_test --positions " + file, 2, "take at least 3");

@@ -65,7 +65,8 @@ TEST_CASE("line: names of volume conventions") {
     for (const Volumes volumes : {Volumes::equal, Volumes::partition})
         CHECK(volumes_named(name(volumes)) == volumes);
     CHECK_THROWS_WITH_AS(volumes_named("half"),
-                         "there is no volume convention 'half'; choose equal or partition", InvalidInput);
+                         "there is no volume convention 'half'; choose one of equal, partition",
+                         InvalidInput);
 }
 
 TEST_CASE("line: what is no line is refused with the particle's number") {
@@ -101,8 +102,8 @@ TEST_CASE("line: the largest spacing is that of the farthest neighbours, the mea
     CHECK(spacing_named("mean") == Spacing::mean);
     CHECK(spacing_named("largest") == Spacing::largest);
     CHECK(spacing_named("local") == Spacing::local);
-    CHECK_THROWS_WITH_AS(spacing_named("least"), "there is no spacing 'least'; choose mean, largest or local",
-                         InvalidInput);
+    CHECK_THROWS_WITH_AS(spacing_named("least"),
+                         "there is no spacing 'least'; choose one of mean, largest, local", InvalidInput);
 }
 
 TEST_CASE("line: the local spacing of a particle is that to the farther one of its neighbours") {

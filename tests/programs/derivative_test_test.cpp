@@ -96,5 +96,5 @@ TEST_CASE("derivative_test: the reader's function in each precision; another pre
                                     1e-6));
     }
     programs::check_refused("derivative_test --precision half", 2,
-                            "there is no precision 'half'; choose double, long or quad");
+                            "there is no precision 'half'; choose one of double, long, quad");
 }

@@ -60,7 +60,7 @@ TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output")
              {"--method strong --degree 1", "take --degree 2 or 3"},
              {"--gauss 0", "--gauss must lie between 1 and 1000"},
              {"--poisson 0.6", "Poisson's ratio must lie above -1 and below 0.5"},
-             {"--plane flat", "choose stress or strain"},
+             {"--plane flat", "choose one of stress, strain"},
              {"--penalty 0", "--penalty must be positive"},
              {"--corner-1 u1", "'u1' is no pair of conditions"},
              {"--corner-4 u1,u1", "corner 4 needs two different conditions"},

@@ -1,0 +1,47 @@
+#include "command_line/lists.hpp"
+
+#include <doctest/doctest.h>
+
+#include "base/errors.hpp"
+
+using namespace command_line;
+
+TEST_CASE("lists: lists are numbers and ranges, whose ends belong to them") {
+    CHECK(numbers("--x", "3,3.5,4") == std::vector<double>{3, 3.5, 4});
+    CHECK(numbers("--x", "2:0.1:2.3") == std::vector<double>{2, 2.1, 2.2, 2.3});
+    CHECK(numbers("--x", "1e-13:1e-13:3e-13") == std::vector<double>{1e-13, 2e-13, 3e-13});
+    CHECK(numbers("--x", "0.3:1e-15:0.300000000000001").front() == 0.3);
+    CHECK(numbers("--x", "1,2:2:7") == std::vector<double>{1, 2, 4, 6});
+    CHECK(whole_numbers("--x", "3:1:5") == std::vector<long>{3, 4, 5});
+    for (const char* bad :
+         {"", "a", "1:2", "1:-1:3", "3:1:2", "1:1e-9:2", "nan", "1e999", "1:2:3:4", "1,,2"}) {
+        CAPTURE(bad);
+        CHECK_THROWS_AS((void)numbers("--x", bad), base::InvalidInput);
+    }
+    CHECK_THROWS_AS((void)whole_numbers("--x", "2.5"), base::InvalidInput);
+}
+
+TEST_CASE("lists: a pair of whole numbers") {
+    CHECK(pair_of("--x", "16x4") == std::array<long, 2>{16, 4});
+    for (const char* bad : {"16", "16x", "x4", "16x4x2", "1.5x2", "1e9x2", "axb"}) {
+        CAPTURE(bad);
+        CHECK_THROWS_AS((void)pair_of("--x", bad), base::InvalidInput);
+    }
+}
+
+TEST_CASE("lists: whole numbers are decimal") {
+    CHECK(whole_numbers("--x", "1e3,0") == std::vector<long>{1000, 0});
+    for (const char* bad : {"020", "0x20", "1e18", "40,020", "1:01:3"}) {
+        CAPTURE(bad);
+        CHECK_THROWS_AS((void)whole_numbers("--x", bad), base::InvalidInput);
+    }
+}
+
+TEST_CASE("lists: all stands for every name that is known, and alone") {
+    CHECK(chosen("colour", {"all"}, {"red", "blue"}) == std::vector<std::string>{"red", "blue"});
+    CHECK(chosen("colour", {"blue", "blue"}, {"red", "blue"}) == std::vector<std::string>{"blue", "blue"});
+    CHECK_THROWS_WITH_AS((void)chosen("colour", {"red", "pink"}, {"red", "blue"}),
+                         "there is no colour 'pink'; choose one of all, red, blue", base::InvalidInput);
+    CHECK_THROWS_WITH_AS((void)chosen("colour", {"all", "red"}, {"red", "blue"}),
+                         "--colour all takes no other name beside it", base::InvalidInput);
+}
