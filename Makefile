@@ -61,7 +61,7 @@ PACKAGES += $(if $(filter fresh,$(goals)),debootstrap)
 
 bin := $(BUILD)/bin
 programs := derivative_test static_test vibration_test stencil constants orders roundoff draws plate hole choices claims walkthrough compare_tables
-common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/base/*.cpp src/expressions/*.cpp src/report/*.cpp src/solvers/*.cpp) \
+common := $(patsubst src/%.cpp,$(BUILD)/src/%.o,$(wildcard src/base/*.cpp src/expressions/*.cpp src/particles/*.cpp src/report/*.cpp src/solvers/*.cpp) \
             src/asprone2010/formulations.cpp $(filter-out %/example_problems.cpp,$(wildcard src/command_line/*.cpp)))
 tests := $(patsubst %.cpp,$(BUILD)/%.o,$(shell find tests -name '*.cpp' -not -path 'tests/benchmarks/*' -not -path 'tests/fuzzing/*' | LC_ALL=C sort))
 benchmarks := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tests/benchmarks/*.cpp))
@@ -212,7 +212,7 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 # The tests of the sections alone, which are compiled again for each mutant: by clang++, in half of g++'s time.
 mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
            $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
-             src/asprone2010/formulations.cpp src/base/*.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
+             src/asprone2010/formulations.cpp src/base/*.cpp src/particles/*.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
 mutants: mutants-build ## break the formulas of the sections on purpose, one at a time: their tests must fail
 	@bash tests/mutants $(BUILD)/mutants
 
@@ -268,8 +268,7 @@ verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare
 	$(bin)/walkthrough --readme $(BUILD)/verify/README.md --check-readme || failed=1
 	exit $$failed
 
-# Installed are the headers of the methods and of what they stand on, not the claims'. Four of them have source files,
-# sparse, spectrum, formulations and section_4_example_problems: they become a small static library.
+# Installed are the headers of the methods and of what they stand on, not the claims'. Their source files become a small static library.
 PREFIX ?= /usr/local
 headers := $(filter-out %/claims.hpp,$(wildcard $(patsubst %,src/%/*.hpp,base particles solvers $(papers))))
 define install_below
@@ -354,8 +353,8 @@ $(readers:%=$(BUILD)/fuzzing/%): $(BUILD)/fuzzing/%: tests/fuzzing/%.cpp $(BUILD
 	    $(filter %.cpp,$^) -L$(gcc) -lginac -lcln -lquadmath -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
-$(BUILD)/libparticle-methods.a: $(BUILD)/src/base/memory.o $(BUILD)/src/solvers/sparse.o $(BUILD)/src/solvers/spectrum.o $(BUILD)/src/asprone2010/formulations.o \
-                                $(BUILD)/src/batra2008/section_4_example_problems.o
+$(BUILD)/libparticle-methods.a: $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard src/base/*.cpp src/particles/*.cpp src/solvers/*.cpp) \
+                                  src/asprone2010/formulations.cpp src/batra2008/section_4_example_problems.cpp)
 	@rm -f $@
 	ar rcs $@ $^
 

@@ -1,18 +1,15 @@
 #pragma once
 
-#include <gsl/gsl_integration.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
-#include <new>
 #include <variant>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "particles/kernels.hpp"
+#include "particles/quadrature.hpp"
 
 namespace particles {
 
@@ -41,18 +38,12 @@ struct CentredKernel {
     /// points between the knots \f$x_i + kh\f$, where the splines change their polynomial.
     /// \throws InvalidInput for a result that is not finite
     [[nodiscard]] double integral(const Function& f) const {
-        const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)> rule(
-            gsl_integration_glfixed_table_alloc(32), gsl_integration_glfixed_table_free);
-        if (!rule) throw std::bad_alloc();
-        const gsl_function integrand{
-            [](double at, void* function) { return (*static_cast<const Function*>(function))(at); },
-            const_cast<Function*>(&f)};
         double sum = 0;
         const int pieces = static_cast<int>(std::ceil(support));
         for (int k = -pieces; k < pieces; ++k) {
             const double from = std::max(x + std::max<double>(k, -support) * h, Omega.first);
             const double to = std::min(x + std::min<double>(k + 1, support) * h, Omega.last);
-            if (from < to) sum += gsl_integration_glfixed(&integrand, from, to, rule.get());
+            if (from < to) sum += particles::integral(f, from, to);
         }
         if (!std::isfinite(sum)) throw InvalidInput("the integral around x = " + shown(x) + " is not finite");
         return sum;

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
-
 #include <Eigen/Core>
 #include <cmath>
-#include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -16,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/index.hpp"
 #include "base/pack.hpp"
+#include "base/random.hpp"
 #include "base/text.hpp"
 
 namespace particles {
@@ -150,7 +146,7 @@ Column<Scalar> uniform_positions(Index N) {
 }
 
 /// Uniform positions whose inner particles are moved by U(−1, 1)·a·δ; the ends stay.
-/// The draws are those of GSL's mt19937 for the seed, in the order of the particles and in double precision.
+/// Random numbers are drawn in the order of the particles and in double precision.
 /// \param a amplitude in units of the spacing δ, 0 ≤ a < 1/2 so that the order of the particles is kept
 template <class Scalar = double>
 Column<Scalar> perturbed_positions(Index N, double a, unsigned long seed) {
@@ -158,10 +154,8 @@ Column<Scalar> perturbed_positions(Index N, double a, unsigned long seed) {
         throw InvalidInput("a perturbation of " + shown(a) +
                            " spacings does not keep the particles in order; take 0 <= a < 0.5");
     Column<Scalar> x = uniform_positions<Scalar>(N);
-    const std::unique_ptr<gsl_rng, void (*)(gsl_rng*)> random(gsl_rng_alloc(gsl_rng_mt19937), gsl_rng_free);
-    if (!random) throw std::bad_alloc();
-    gsl_rng_set(random.get(), seed);
-    for (Index j = 1; j < N - 1; ++j) x[j] += Scalar(gsl_ran_flat(random.get(), -1, 1) * a) / Scalar(N - 1);
+    base::Random random(seed);
+    for (Index j = 1; j < N - 1; ++j) x[j] += Scalar(random.uniform(-1, 1) * a) / Scalar(N - 1);
     return x;
 }
 

@@ -1,13 +1,66 @@
 
 #include "solvers/sparse.hpp"
 
+#include <Eigen/UmfPackSupport>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
 #include <unsupported/Eigen/IterativeSolvers>
+
+#include "base/errors.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
 
 namespace solvers {
 
 namespace {
 
-/// Factors in the shape in which Eigen's iterations take a preconditioner.
+/// The triangular factors of a sparse matrix, with row exchanges.
+class Factors {
+  public:
+    struct Settings {
+        /// METIS leaves fewer entries in the factors than AMD, which is faster itself.
+        int ordering = UMFPACK_ORDERING_METIS;
+        bool refined = true;  ///< solve() refines its result iteratively
+    };
+    Factors(const SparseRows& A, const Settings& settings) : columns_(A) {
+        auto& control = factors_.umfpackControl();
+        // Particles are neighbours of each other, or nearly always.
+        control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
+        control[UMFPACK_ORDERING] = settings.ordering;
+        control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
+        if (!settings.refined) control[UMFPACK_IRSTEP] = 0;
+        factors_.compute(columns_);
+        if (factors_.info() != Eigen::Success) {
+            fault_ = factors_.out_of_memory() ? "does not fit into memory" : "is singular";
+            return;
+        }
+        // Nearly every vector reveals a singular matrix; the right-hand side may be one of the few that do not.
+        const Eigen::VectorXd probe = Eigen::VectorXd::NullaryExpr(A.rows(), [](Eigen::Index k) {
+            return std::cos(static_cast<double>(k) * static_cast<double>(k));
+        });
+        const double growth = solve(probe).cwiseAbs().maxCoeff();
+        if (!(growth < 1 / (100 * std::numeric_limits<double>::epsilon()))) fault_ = "is singular";
+    }
+
+    /// Why the matrix cannot be solved with; empty if it can.
+    [[nodiscard]] const std::string& fault() const { return fault_; }
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors_.solve(b); }
+
+  private:
+    /// Long indices: the factors of a million particles have more entries than an int can count.
+    using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
+    struct Umfpack : Eigen::UmfPackLU<Columns> {
+        [[nodiscard]] bool out_of_memory() const { return m_fact_errorCode < 0; }
+    };
+
+    Columns columns_;
+    Umfpack factors_;
+    std::string fault_;
+};
+
+/// Factors with the interface of a preconditioner of Eigen's iterations.
 class Preconditioner {
   public:
     void take(const Factors& factors) { factors_ = &factors; }
@@ -24,6 +77,36 @@ class Preconditioner {
 
 }  // namespace
 
+void scale_rows(SparseRows& A, Eigen::VectorXd& b, SparseRows& nearest) {
+    const auto values = [](SparseRows& matrix, Eigen::Index row) {
+        const int first = matrix.outerIndexPtr()[row];
+        return Eigen::Map<Eigen::ArrayXd>(matrix.valuePtr() + first, matrix.outerIndexPtr()[row + 1] - first);
+    };
+    base::for_each_index(A.rows(), [&](Eigen::Index row) {
+        double largest = 0;
+        for (const double entry : values(A, row)) largest = std::max(largest, std::abs(entry));
+        const double scale = 1 / largest;
+        values(A, row) *= scale;
+        b[row] *= scale;
+        if (nearest.rows() > 0) values(nearest, row) *= scale;
+    });
+}
+
+double relative_residual(const SparseRows& A, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
+    Eigen::VectorXd residual(A.rows()), size(A.rows());
+    base::for_each_index(A.rows(), [&](Eigen::Index row) {
+        double sum = 0, terms = 0;
+        for (SparseRows::InnerIterator entry(A, row); entry; ++entry) {
+            sum += entry.value() * x[entry.col()];
+            terms += std::abs(entry.value() * x[entry.col()]);
+        }
+        residual[row] = std::abs(b[row] - sum);
+        size[row] = terms;
+    });
+    const double largest = size.maxCoeff() + b.cwiseAbs().maxCoeff();
+    return largest == 0 ? 0 : residual.maxCoeff() / largest;
+}
+
 std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
                                         const SparseRows& nearest) {
     const int ordering = A.rows() > 100000 ? UMFPACK_ORDERING_METIS : UMFPACK_ORDERING_AMD;
@@ -35,9 +118,9 @@ std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::Vector
     gmres.set_restart(20);
     gmres.setMaxIterations(60);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-    // Far larger than the first guess is x only where A is singular and nearest is not.
+    // A solution far larger than this means that A is singular and nearest is not.
     const double most = 1e6 * factors.solve(b).cwiseAbs().maxCoeff();
-    // Where round-off was felt, again from the true residual.
+    // Where round-off has separated the two residuals, restart from the true one.
     for (const double tolerance : {1e-14, 1e-4, 1e-4}) {
         gmres.setTolerance(tolerance);
         x = gmres.solveWithGuess(b, x).eval();

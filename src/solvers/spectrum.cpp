@@ -1,8 +1,13 @@
 #include "solvers/spectrum.hpp"
 
-#include <algorithm>
+#include <lapacke.h>
 
-// Spectra frees inside of its own classes what g++ 12 then suspects of being used.
+#include <algorithm>
+#include <string>
+
+#include "base/errors.hpp"
+
+// g++ 12 suspects Spectra of using memory that its own classes have freed.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpragmas"
 #pragma GCC diagnostic ignored "-Wunknown-warning-option"
@@ -13,7 +18,7 @@ namespace solvers {
 
 namespace {
 
-/// What Spectra asks of a matrix; here the inverse of a factorised one.
+/// The inverse of a factorised matrix, as Spectra takes a matrix.
 struct Inverse {
     using Scalar = double;
     const BandedFactors<double>& factors;
@@ -27,6 +32,34 @@ struct Inverse {
 };
 
 }  // namespace
+
+std::vector<std::complex<double>> eigenvalues(Eigen::MatrixXd K) {
+    const auto N = static_cast<lapack_int>(K.rows());
+    Eigen::VectorXd real(N), imaginary(N);
+    // LAPACK refuses a matrix without rows.
+    const lapack_int failed = N == 0 ? 0
+                                     : LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'N', N, K.data(), N, real.data(),
+                                                     imaginary.data(), nullptr, 1, nullptr, 1);
+    if (failed != 0)
+        throw base::FailedComputation("the eigenvalues of a matrix of " + std::to_string(N) +
+                                      " rows were not found");
+    std::vector<std::complex<double>> all;
+    all.reserve(static_cast<std::size_t>(N));
+    for (lapack_int k = 0; k < N; ++k) all.emplace_back(real[k], imaginary[k]);
+    return all;
+}
+
+std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::MatrixXd M) {
+    const auto N = static_cast<lapack_int>(K.rows());
+    std::vector<double> all(static_cast<std::size_t>(N));
+    const lapack_int failed =
+        N == 0 ? 0 : LAPACKE_dsygv(LAPACK_COL_MAJOR, 1, 'N', 'L', N, K.data(), N, M.data(), N, all.data());
+    if (failed > N) throw base::FailedComputation("the mass matrix is not positive definite");
+    if (failed != 0)
+        throw base::FailedComputation("the eigenvalues of a symmetric problem of " + std::to_string(N) +
+                                      " rows were not found");
+    return all;
+}
 
 Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count) {
     Inverse inverse{factors, N};

@@ -1,6 +1,9 @@
 #include "particles/quadrature.hpp"
 
 #include <doctest/doctest.h>
+#include <gsl/gsl_integration.h>
+
+#include <memory>
 
 #include "tests/relative.hpp"
 
@@ -54,4 +57,15 @@ TEST_CASE("gauss_rule: the integral of a function that is no polynomial") {
 TEST_CASE("gauss_rule: a rule without points is refused with the number asked for") {
     CHECK_THROWS_WITH_AS(gauss_rule(0), "a quadrature rule needs at least 1 point, got 0", InvalidInput);
     CHECK_THROWS_WITH_AS(gauss_rule(-3), "a quadrature rule needs at least 1 point, got -3", InvalidInput);
+}
+
+TEST_CASE("gauss_rule: pairs of points about the middle sum to the bits of GSL's rule of 32 points") {
+    double (*const wave)(double, void*) = [](double x, void*) { return std::exp(x) * std::sin(5 * x); };
+    const gsl_function integrand{wave, nullptr};
+    const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)> table(
+        gsl_integration_glfixed_table_alloc(32), gsl_integration_glfixed_table_free);
+    for (const double a : {-1.0, 0.0, 0.3, 2.7})
+        for (const double length : {1e-3, 0.7, 2.0, 9.0})
+            CHECK(integral([&](double x) { return wave(x, nullptr); }, a, a + length) ==
+                  gsl_integration_glfixed(&integrand, a, a + length, table.get()));
 }

@@ -1,6 +1,7 @@
 #include "solvers/banded.hpp"
 
 #include <doctest/doctest.h>
+#include <lapacke.h>
 
 #include <Eigen/SparseLU>
 #include <random>
