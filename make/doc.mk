@@ -1,0 +1,27 @@
+# The walkthrough: generated pages, Doxygen, whose every warning is an error, and a copy of the parts of MathJax that it needs.
+.PHONY: doc check-doc
+doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
+
+check-doc: doc ## open every page of the walkthrough in a browser, and fail on what does not work
+	@bash doc/check $(BUILD)/doc/html
+
+mathjax := /usr/share/javascript/mathjax
+walkthrough := $(wildcard doc/* paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
+$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
+	@rm -rf $(BUILD)/doc
+	$(bin)/walkthrough --pages $(BUILD)/doc/pages
+	mkdir $(BUILD)/doc/figures
+	for figure in $(figures:figures/%=%); do cp "figures/$$figure" "$(BUILD)/doc/figures/$${figure/\//_}"; done
+	BUILD=$(BUILD) doxygen doc/Doxyfile
+	rm -f $(BUILD)/doc/html/*-members.html
+	sed -i -E 's| (Namespace\|Struct\|Class\|Struct Template\|Class Template) Reference</div>|</div>|; s@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
+	sed -n 's|.*relpath^\(namespace[^"]*\)">\(.*\)</a>.*|\1 \2|p' doc/header.html | while read -r page title; do
+	    sed -i "s|<div class=\"title\">.*</div></div>|<div class=\"title\">$$title</div></div>|" "$(BUILD)/doc/html/$$page"
+	done
+	if [[ -s $(BUILD)/doc/warnings.log ]]; then cat $(BUILD)/doc/warnings.log >&2; rm -rf $(BUILD)/doc/html; exit 1; fi
+	for part in MathJax.js extensions/tex2jax.js extensions/TeX extensions/MathEvents.js jax/element jax/input/TeX \
+	            jax/output/SVG/jax.js jax/output/SVG/config.js jax/output/SVG/autoload jax/output/SVG/fonts/TeX; do
+	    mkdir -p "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
+	    cp -rL "$(mathjax)/$$part" "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
+	done
+	echo "$@"

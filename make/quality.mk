@@ -1,0 +1,88 @@
+# Checks beyond `make check`. Where one compiles with flags of its own, make calls itself with a folder of its own; such a recipe
+# does nothing else, because make -n runs it.
+.PHONY: bench check-interrupts check-environments valgrind compilers fresh fuzz mutants lint coverage verify
+.PHONY: bench-build mutants-build coverage-build fuzz-build
+
+verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare the computed data with the committed, see that figures are whole
+	@bash tests/verify $(BUILD) $(tables) $(figures)
+
+check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
+	@bash tests/interrupts $(BUILD)
+
+check-environments: build ## try a decimal comma, missing packages, a path with blanks, a full disk, a read-only tree
+	@bash tests/environments $(BUILD)
+
+valgrind: build ## run each program once under valgrind
+	@bash tests/valgrind $(BUILD)
+
+compilers: ## compute all data with other compilers and flags, in copies of the last commit, and compare them with the committed
+	@bash tests/compilers
+
+fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
+	@bash tests/fresh
+
+# clang-tidy reads the source files of src/ with all the headers that they include; cppcheck reads the tests, too.
+all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
+all_sources := $(filter src/%,$(sources))
+lint: $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy) ## compile every header alone, then clang-tidy and cppcheck
+	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt \
+	    --error-exitcode=1 --quiet -j $(shell nproc) -Isrc -I. src tests
+	echo "$(words $(all_headers)) headers compile alone; clang-tidy and cppcheck are content with $(words $(all_sources)) files"
+$(BUILD)/lint/%.alone: % $(BUILD)/flags
+	@mkdir -p $(@D)
+	echo '#include "$*"' | $(CXX) $(CXXFLAGS) $(CPPFLAGS) -fsyntax-only -x c++ -MMD -MP -MF $@.d -MT $@ -
+	touch $@
+$(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
+	@mkdir -p $(@D)
+	echo "read $<"
+	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
+	touch $@
+
+# The tests of the sections are compiled again for each mutant, by clang++ in half of g++'s time.
+mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
+           $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
+             src/asprone2010/formulations.cpp src/base/*.cpp src/particles/*.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
+mutants-build:
+	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
+mutants: mutants-build ## break the formulas of the sections on purpose, one at a time: their tests must fail
+	@bash tests/mutants $(BUILD)/mutants
+
+coverage-build:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage $(BUILD)/coverage/bin/check build \
+	    OPTIMISE="-O1 -ffp-contract=off -Wno-maybe-uninitialized --coverage -fprofile-update=atomic"
+# The compiler's own additions to a struct count on the line where it begins; that line is not looked at.
+coverage: coverage-build ## run the tests on counting code; fail where a line of a section file is not reached
+	@find $(BUILD)/coverage -name '*.gcda' -delete
+	# Thousands of short runs would take most of the time to add their counts to the files; some runs may not write them.
+	GCOV_ERROR_FILE=/dev/null $(BUILD)/coverage/bin/check --test-case-exclude="bad input: whatever*"
+	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/' --exclude-throw-branches \
+	    --html-details $(BUILD)/coverage/index.html --print-summary > $(BUILD)/coverage/summary.txt
+	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/.*/section_' --filter 'src/.*/limit_stencils' \
+	    --exclude-lines-by-pattern 'struct .*' --fail-under-line 100
+
+# What reads a user's text, compiled with the sanitizers and the fuzzer. SECONDS is the time for each reader.
+SECONDS ?= 60
+readers := expression positions table
+fuzz-build:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzzing CXX=clang++ CXXFLAGS="-std=c++20 -O1 -g -fsanitize=fuzzer-no-link,address,undefined \
+	    -fno-sanitize-recover=all" $(readers:%=$(BUILD)/fuzzing/bin/fuzz_%)
+fuzz: fuzz-build ## feed random input to what reads expressions, positions and tables, SECONDS=60 each
+	@bash tests/fuzz $(BUILD)/fuzzing $(SECONDS) $(readers)
+read := $(BUILD)/libreaders.a
+$(read): $(call objects_in,src/base/% src/expressions/% src/report/% src/command_line/positions.cpp)
+$(readers:%=$(bin)/fuzz_%): $(bin)/fuzz_%: $(BUILD)/tests/fuzzing/%.o $(read)
+	@mkdir -p $(@D)
+	echo "link $@"
+	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $^ $(LDLIBS) -o $@.tmp.bin
+	mv $@.tmp.bin $@
+
+# Benchmarks are compiled as fast as the compiler can make them for this machine. MOST_1D and MOST_2D: the most particles.
+MOST_1D ?= 10000000
+MOST_2D ?= 100000
+bench-build:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench $(BUILD)/bench/bin/bench \
+	    OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized"
+bench: bench-build ## measure speed against the machine's limits and against NumPy, into data/benchmarks and figures/benchmarks
+	@bash tests/benchmarks/run $(BUILD)/bench $(MOST_1D) $(MOST_2D)
+$(bin)/bench: $(call objects_in,tests/benchmarks/%)
+$(bin)/bench: more_libraries := -lbenchmark
