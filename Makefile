@@ -23,7 +23,6 @@ CXX := $(if $(filter thread,$(SANITIZE)),clang++,$(CXX))
 OPTIMISE := -O1 -g -ffp-contract=off -fno-omit-frame-pointer -Wno-maybe-uninitialized -fsanitize=$(SANITIZE) \
             -fno-sanitize-recover=all
 override BUILD := $(BUILD)/sanitize-$(subst $(comma),-,$(SANITIZE))
-export LSAN_OPTIONS := suppressions=$(CURDIR)/tests/leaks.txt:print_suppressions=0
 export TSAN_OPTIONS := ignore_noninstrumented_modules=1
 endif
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror

@@ -5,150 +5,215 @@
 #include <initializer_list>
 #include <limits>
 #include <numbers>
-#include <optional>
 
-/// Bounds of a function over a range of its argument, rounded outwards.
+#include "expressions/jet.hpp"
+
 namespace expressions {
 
-/// The numbers from lower to upper.
+/// The numbers from `lower` to `upper`. A function of an interval returns one that holds the function's value at every number of
+/// its argument, also as floating-point arithmetic computes it: bounds are rounded outwards. Where the function is not defined on
+/// the whole argument, or not bounded by numbers of double precision, the result is everything().
 struct Interval {
     double lower, upper;
+
+    constexpr Interval() : Interval(0) {}
+    constexpr explicit Interval(double number) : Interval(number, number) {}
+    constexpr Interval(double from, double to) : lower(from), upper(to) {}
+
+    friend bool operator==(const Interval& a, const Interval& b) = default;
 };
 
-/// The values that a function takes over an interval lie in the result; none where the function is not defined all over the
-/// interval, or not bounded by numbers.
-using Bounds = std::optional<Interval>;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-namespace interval {
+/// All numbers: nothing is known.
+constexpr Interval everything() {
+    return {-infinity, infinity};
+}
+inline bool is_bounded(const Interval& a) {
+    return std::isfinite(a.lower) && std::isfinite(a.upper);
+}
+inline bool contains(const Interval& a, double number) {
+    return a.lower <= number && number <= a.upper;
+}
 
+/// The neighbours of a floating-point number.
 inline double below(double number) {
-    return std::nextafter(number, -std::numeric_limits<double>::infinity());
+    return std::nextafter(number, -infinity);
 }
 inline double above(double number) {
-    return std::nextafter(number, std::numeric_limits<double>::infinity());
+    return std::nextafter(number, infinity);
 }
 
-inline Bounds finite(double lower, double upper) {
-    if (!std::isfinite(lower) || !std::isfinite(upper)) return {};
-    return Interval{lower, upper};
+/// The interval between two bounds; everything if one of them is not finite.
+inline Interval bounded(double lower, double upper) {
+    const Interval a{lower, upper};
+    return is_bounded(a) ? a : everything();
+}
+/// Bounds from functions of the C library, which may err by two units in the last place.
+inline Interval widened(double lower, double upper) {
+    return bounded(below(below(lower)), above(above(upper)));
+}
+/// What is left of an interval within bounds that are known otherwise.
+inline Interval clipped(const Interval& a, double lower, double upper) {
+    return is_bounded(a) ? Interval{std::max(a.lower, lower), std::min(a.upper, upper)} : a;
 }
 
-/// Room for the round-off of the C library's functions, two units in the last place.
-inline Bounds widened(double lower, double upper) {
-    return finite(below(below(lower)), above(above(upper)));
-}
-
-inline Interval minus(const Interval& a) {
+inline Interval operator-(const Interval& a) {
     return {-a.upper, -a.lower};
 }
 
-/// The sum; exact where the sum of two bounds is, so that 1 − x begins at 0 and not before.
-inline Bounds plus(const Interval& a, const Interval& b) {
+/// The sum. A bound that is exact is not moved: 1 − x begins at 0 for x in [0, 1], and not before.
+inline Interval operator+(const Interval& a, const Interval& b) {
     const auto error = [](double p, double q, double sum) {
-        const double of_q = sum - p;
-        return (p - (sum - of_q)) + (q - of_q);
+        const double rounded_q = sum - p;
+        return (p - (sum - rounded_q)) + (q - rounded_q);
     };
     const double lower = a.lower + b.lower, upper = a.upper + b.upper;
-    return finite(error(a.lower, b.lower, lower) < 0 ? below(lower) : lower,
-                  error(a.upper, b.upper, upper) > 0 ? above(upper) : upper);
+    return bounded(error(a.lower, b.lower, lower) < 0 ? below(lower) : lower,
+                   error(a.upper, b.upper, upper) > 0 ? above(upper) : upper);
+}
+inline Interval operator-(const Interval& a, const Interval& b) {
+    return a + -b;
 }
 
-/// The product; exact where the product of two bounds is.
-inline Bounds times(const Interval& a, const Interval& b) {
-    double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+/// Products and quotients below this size are inexact, whatever their error is computed to be.
+inline constexpr double smallest_exact = 1e-280;
+
+/// The product; a bound that is exact is not moved.
+inline Interval operator*(const Interval& a, const Interval& b) {
+    if (!is_bounded(a) || !is_bounded(b)) return everything();
+    Interval product{infinity, -infinity};
     for (const double p : {a.lower, a.upper})
         for (const double q : {b.lower, b.upper}) {
-            const double product = p * q, error = std::fma(p, q, -product);
-            lower = std::min(lower, error < 0 ? below(product) : product);
-            upper = std::max(upper, error > 0 ? above(product) : product);
+            const double pq = p * q, error = std::fma(p, q, -pq);
+            const bool tiny = p != 0 && q != 0 && std::abs(pq) < smallest_exact;
+            product.lower = std::min(product.lower, error < 0 || tiny ? below(pq) : pq);
+            product.upper = std::max(product.upper, error > 0 || tiny ? above(pq) : pq);
         }
-    return finite(lower, upper);
+    return bounded(product.lower, product.upper);
+}
+
+/// The quotient; a bound that is exact is not moved.
+inline Interval operator/(const Interval& a, const Interval& b) {
+    if (!is_bounded(a) || !is_bounded(b) || contains(b, 0)) return everything();
+    Interval quotient{infinity, -infinity};
+    for (const double p : {a.lower, a.upper})
+        for (const double q : {b.lower, b.upper}) {
+            const double ratio = p / q;
+            const bool exact = p == 0 || (std::fma(ratio, q, -p) == 0 && std::abs(p) > smallest_exact);
+            quotient.lower = std::min(quotient.lower, exact ? ratio : below(ratio));
+            quotient.upper = std::max(quotient.upper, exact ? ratio : above(ratio));
+        }
+    return bounded(quotient.lower, quotient.upper);
+}
+
+inline Interval square(const Interval& a) {
+    return clipped(a * a, 0, infinity);
 }
 
 /// A function that increases.
-inline Bounds increasing(const Interval& a, double (*f)(double)) {
-    return widened(f(a.lower), f(a.upper));
+inline Interval increasing(const Interval& a, double (*f)(double)) {
+    return is_bounded(a) ? widened(f(a.lower), f(a.upper)) : everything();
 }
 
-/// A power with a constant exponent. A negative base needs a whole exponent, and a negative exponent a base without zero.
-inline Bounds power(const Interval& a, double exponent) {
-    const bool whole = exponent == std::round(exponent);
-    if (a.lower < 0 && !whole) return {};
-    if (exponent < 0 && a.lower <= 0 && a.upper >= 0) return {};
-    const double first = std::pow(a.lower, exponent), last = std::pow(a.upper, exponent);
-    const bool even = whole && std::fmod(exponent, 2) == 0;
-    Bounds bounds = widened(std::min(first, last), std::max(first, last));
-    if (!bounds) return {};
-    if (even && a.lower < 0 && a.upper > 0) bounds->lower = 0;
-    if (even || a.lower >= 0) bounds->lower = std::max(bounds->lower, 0.0);
-    return bounds;
+inline Interval exp(const Interval& a) {
+    return clipped(increasing(a, std::exp), 0, infinity);
+}
+inline Interval log(const Interval& a) {
+    return a.lower > 0 ? increasing(a, std::log) : everything();
+}
+inline Interval sqrt(const Interval& a) {
+    return a.lower >= 0 ? clipped(increasing(a, std::sqrt), 0, infinity) : everything();
 }
 
-inline Bounds exp(const Interval& a) {
-    Bounds bounds = increasing(a, std::exp);
-    if (bounds) bounds->lower = std::max(bounds->lower, 0.0);
-    return bounds;
+/// The power with one whole exponent. A negative one needs a base without zero; 0^0 has no value.
+inline Interval whole_power(const Interval& a, double n) {
+    if (n == 0 && a != Interval(0)) return Interval(1);
+    if (n == 2) return square(a);
+    if (n <= 0 && contains(a, 0)) return everything();
+    const double first = std::pow(a.lower, n), last = std::pow(a.upper, n);
+    const bool even = std::fmod(n, 2) == 0;
+    const double least = even && contains(a, 0) ? 0 : std::min(first, last);
+    const Interval power = widened(least, std::max(first, last));
+    return even || a.lower >= 0 ? clipped(power, 0, infinity) : power;
+}
+/// The power with any exponents, of a base without negative numbers. Its logarithm p log a is linear in p and in log a:
+/// bounds lie at the corners.
+inline Interval real_power(const Interval& a, const Interval& p) {
+    if (a.lower < 0 || (a.lower == 0 && p.lower <= 0)) return everything();
+    const auto [least, largest] = std::minmax({std::pow(a.lower, p.lower), std::pow(a.lower, p.upper),
+                                               std::pow(a.upper, p.lower), std::pow(a.upper, p.upper)});
+    return clipped(widened(least, largest), 0, infinity);
+}
+inline Interval pow(const Interval& a, const Interval& p) {
+    if (!is_bounded(a) || !is_bounded(p)) return everything();
+    const bool whole = p.lower == p.upper && p.lower == std::round(p.lower);
+    const Interval power = whole ? whole_power(a, p.lower) : real_power(a, p);
+    return p.lower >= 0 && a.lower >= -1 && a.upper <= 1 ? clipped(power, -1, 1) : power;
 }
 
-inline Bounds log(const Interval& a) {
-    if (a.lower <= 0) return {};
-    return increasing(a, std::log);
-}
-
-/// A power with any exponent, of a positive base.
-inline Bounds power(const Interval& a, const Interval& exponent) {
-    const Bounds logarithm = log(a);
-    const Bounds product = logarithm ? times(*logarithm, exponent) : Bounds();
-    return product ? exp(*product) : Bounds();
-}
-
-/// Sine or cosine: from its value in the middle it departs no farther than its argument, and it stays within 1.
-inline Bounds wave(const Interval& a, double (*f)(double)) {
+/// Sine or cosine: it departs from its value in the middle no farther than its argument does, and stays within ±1.
+inline Interval wave(const Interval& a, double (*f)(double)) {
+    if (!is_bounded(a)) return everything();
     const double middle = a.lower + (a.upper - a.lower) / 2;
     const double reach = std::max(middle - a.lower, a.upper - middle);
     const double slack = above(reach * (1 + 4e-16)) + 4e-16;
-    return finite(std::max(f(middle) - slack, -1.0), std::min(f(middle) + slack, 1.0));
+    return clipped(bounded(f(middle) - slack, f(middle) + slack), -1, 1);
 }
-inline Bounds sin(const Interval& a) {
+inline Interval sin(const Interval& a) {
     return wave(a, std::sin);
 }
-inline Bounds cos(const Interval& a) {
+inline Interval cos(const Interval& a) {
     return wave(a, std::cos);
 }
 
 /// The tangent, on one of its branches.
-inline Bounds tan(const Interval& a) {
+inline Interval tan(const Interval& a) {
     const auto branch = [](double x) { return std::round(x / std::numbers::pi); };
-    const double near = std::max(std::abs(a.lower), std::abs(a.upper)) * 1e-15;
-    if (branch(a.lower - near) != branch(a.upper + near)) return {};
-    return increasing(a, std::tan);
+    const double rounding = std::max(std::abs(a.lower), std::abs(a.upper)) * 1e-15;
+    return branch(a.lower - rounding) == branch(a.upper + rounding) ? increasing(a, std::tan) : everything();
 }
 
-inline Bounds asin(const Interval& a) {
-    if (a.lower < -1 || a.upper > 1) return {};
-    return increasing(a, std::asin);
+inline Interval asin(const Interval& a) {
+    return a.lower >= -1 && a.upper <= 1 ? increasing(a, std::asin) : everything();
 }
-inline Bounds acos(const Interval& a) {
-    if (a.lower < -1 || a.upper > 1) return {};
-    return widened(std::acos(a.upper), std::acos(a.lower));
+inline Interval acos(const Interval& a) {
+    return a.lower >= -1 && a.upper <= 1 ? widened(std::acos(a.upper), std::acos(a.lower)) : everything();
 }
-inline Bounds atan(const Interval& a) {
+inline Interval atan(const Interval& a) {
     return increasing(a, std::atan);
 }
 
-inline Bounds sinh(const Interval& a) {
-    return increasing(a, std::sinh);
-}
-inline Bounds cosh(const Interval& a) {
-    const double first = std::cosh(a.lower), last = std::cosh(a.upper);
-    const double least = a.lower <= 0 && a.upper >= 0 ? 1 : std::min(first, last);
-    Bounds bounds = widened(least, std::max(first, last));
-    if (bounds) bounds->lower = std::max(bounds->lower, 1.0);
-    return bounds;
-}
-inline Bounds tanh(const Interval& a) {
-    return increasing(a, std::tanh);
+/// The angle of the points (x, y) of a box that does not touch the cut y = 0, x ≤ 0: its bounds lie at corners.
+inline Interval atan2(const Interval& y, const Interval& x) {
+    if (!is_bounded(x) || !is_bounded(y) || (contains(y, 0) && x.lower <= 0)) return everything();
+    const auto [least, largest] = std::minmax({std::atan2(y.lower, x.lower), std::atan2(y.lower, x.upper),
+                                               std::atan2(y.upper, x.lower), std::atan2(y.upper, x.upper)});
+    return widened(least, largest);
 }
 
-}  // namespace interval
+inline Interval sinh(const Interval& a) {
+    return increasing(a, std::sinh);
+}
+inline Interval cosh(const Interval& a) {
+    const double first = std::cosh(a.lower), last = std::cosh(a.upper);
+    const double least = contains(a, 0) ? 1 : std::min(first, last);
+    return clipped(widened(least, std::max(first, last)), 1, infinity);
+}
+inline Interval tanh(const Interval& a) {
+    return clipped(increasing(a, std::tanh), -1, 1);
+}
+
+/// The smaller of two. It has a kink where they are equal: unless one is the smaller everywhere, nothing is known of derivatives.
+inline Jet<Interval> min(const Jet<Interval>& a, const Jet<Interval>& b) {
+    if (a.value.upper < b.value.lower) return a;
+    if (b.value.upper < a.value.lower) return b;
+    return {bounded(std::min(a.value.lower, b.value.lower), std::min(a.value.upper, b.value.upper)),
+            everything(), everything()};
+}
+/// The larger of two, with the same caution.
+inline Jet<Interval> max(const Jet<Interval>& a, const Jet<Interval>& b) {
+    return -min(-a, -b);
+}
+
 }  // namespace expressions

@@ -6,7 +6,7 @@
 
 #include "command_line/formulations.hpp"
 #include "command_line/options.hpp"
-#include "expressions/expression.hpp"
+#include "expressions/parser.hpp"
 
 namespace {
 
@@ -16,7 +16,7 @@ using namespace asprone2010;
 template <class Scalar>
 base::Smooth<Scalar> exact_function(const std::optional<std::string>& text) {
     if (!text) return derivative_test::exponential<Scalar>();
-    return expressions::expression<Scalar>("--function", *text);
+    return expressions::smooth<Scalar>("--function", *text);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     std::optional<std::string> function;
     app.add_option("--function", function,
                    "the function B of x, smooth on [0, 1] (default exp(x)); of " +
-                       std::string(expressions::vocabulary))
+                       expressions::vocabulary())
         .type_name("TEXT");
 
     command_line::add_precision(app, options);

@@ -6,7 +6,7 @@
 
 #include "command_line/formulations.hpp"
 #include "command_line/options.hpp"
-#include "expressions/expression.hpp"
+#include "expressions/parser.hpp"
 
 namespace {
 
@@ -16,7 +16,7 @@ using namespace asprone2010;
 template <class Scalar>
 base::Smooth<Scalar> exact_displacement(const std::optional<std::string>& text) {
     if (!text) return static_test::exponential_load<Scalar>();
-    return expressions::expression<Scalar>("--displacement", *text);
+    return expressions::smooth<Scalar>("--displacement", *text);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     app.add_option("--displacement", displacement,
                    "the exact displacement u, smooth on [0, 1] (default -exp(x)+e*x+1), from which the load "
                    "and the end values follow; of " +
-                       std::string(expressions::vocabulary))
+                       expressions::vocabulary())
         .type_name("TEXT");
 
     int corrections = static_test::most_corrections;

@@ -1,0 +1,340 @@
+#include "expressions/parser.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <locale>
+#include <optional>
+#include <sstream>
+
+#include "base/errors.hpp"
+#include "expressions/evaluator.hpp"
+#include "expressions/interval.hpp"
+
+namespace expressions {
+
+using base::InvalidInput;
+
+template <>
+double number(const std::string& text) {
+    return std::strtod(text.c_str(), nullptr);
+}
+template <>
+long double number(const std::string& text) {
+    return std::strtold(text.c_str(), nullptr);
+}
+/// The number itself where double precision holds it exactly, else the interval between its neighbours.
+template <>
+Interval number(const std::string& text) {
+    const std::size_t digits = text.find('e');
+    const int exponent = std::atoi(text.c_str() + digits + 1);
+    const auto value = number<double>(text), whole = number<double>(text.substr(0, digits)),
+               power = number<double>("1e" + std::to_string(std::abs(exponent)));
+    const double error = exponent < 0 ? std::fma(value, power, -whole) : std::fma(whole, power, -value);
+    const bool exact = digits <= 15 && std::abs(exponent) <= 22 && error == 0;
+    return exact ? Interval(value) : Interval(below(value), above(value));
+}
+
+template class Evaluator<double>;
+template class Evaluator<long double>;
+template class Evaluator<Interval>;
+
+namespace {
+
+// A reader's function is far smaller. A hostile one ends here.
+constexpr std::size_t most_characters = 1000;
+constexpr int deepest = 50, largest_exponent = 300;
+constexpr std::size_t most_work = 5'000'000;  // steps with intervals, about a second
+
+constexpr const char* pi = "314159265358979323846264338327950288419716939937511e-50";
+constexpr const char* e = "271828182845904523536028747135266249775724709369996e-50";
+
+bool is_digit(char letter) {
+    return letter >= '0' && letter <= '9';
+}
+bool is_letter(char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_';
+}
+
+/// The text as one line of a message shows it.
+std::string quoted(std::string text) {
+    constexpr std::size_t longest = 80;
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+            --end;  // whole characters
+        text.resize(end);
+        text += "...";
+    }
+    for (char& letter : text)
+        if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
+    return "'" + text + "'";
+}
+
+std::size_t operation_named(std::string_view name) {
+    const auto& all = operations<Interval>();
+    const auto* const found =
+        std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+/// Names that can be typed. Those of operators hold a blank.
+std::string function_names() {
+    std::string names;
+    for (const auto& each : operations<Interval>())
+        if (each.name.find(' ') == std::string_view::npos) names += ", " + std::string(each.name);
+    return names;
+}
+
+/// Reads an expression from left to right by recursive descent. Each rule returns the step that holds its result.
+class Parser {
+  public:
+    Parser(std::string_view text, const std::vector<std::string>& variables)
+        : text_(text), variables_(variables) {
+        for (const std::string& variable : variables) known_ += variable + ", ";
+    }
+
+    Program program() {
+        if (text_.size() > most_characters)
+            throw InvalidInput(std::to_string(text_.size()) + " characters are too many; take at most " +
+                               std::to_string(most_characters));
+        sum();
+        if (letter() == ')') fail("')' without a '('");
+        if (at_ < text_.size()) fail("an operator or the end expected");
+        return std::move(program_);
+    }
+
+  private:
+    [[noreturn]] static void fail(const std::string& why, std::size_t at, const std::string& remedy = "") {
+        throw InvalidInput(why + " at character " + std::to_string(at + 1) + remedy);
+    }
+    [[noreturn]] void fail(const std::string& why) const { fail(why, at_); }
+
+    /// The next character that is no blank; zero at the end.
+    char letter() {
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+        return at_ < text_.size() ? text_[at_] : '\0';
+    }
+    bool take(char wanted) {
+        if (letter() != wanted) return false;
+        ++at_;
+        return true;
+    }
+    [[nodiscard]] bool digit_at(std::size_t at) const { return at < text_.size() && is_digit(text_[at]); }
+
+    /// \param constant bounds of the step's result, if it is a constant
+    std::size_t add(const Step& step, const std::optional<Interval>& constant = {}) {
+        program_.steps.push_back(step);
+        constants_.push_back(constant);
+        return program_.steps.size() - 1;
+    }
+    std::size_t add_number(const std::string& number_text, std::size_t at) {
+        const auto bounds = number<Interval>(number_text);
+        if (!is_bounded(bounds)) fail("a number is too large", at);
+        program_.numbers.push_back(number_text);
+        return add({Step::Kind::number, program_.numbers.size() - 1}, bounds);
+    }
+
+    /// Adds an operation. One on constants must have a value.
+    std::size_t add(std::string_view name, std::size_t at, std::size_t a, std::size_t b) {
+        const std::size_t operation = operation_named(name);
+        const Step step{Step::Kind::operation, operation, a, b};
+        if (!constants_[a] || !constants_[b]) return add(step);
+        const Interval p = *constants_[a], q = *constants_[b];
+        const Interval result = operations<Interval>()[operation].apply({p}, {q}).value;
+        if (is_bounded(result)) return add(step, result);
+        const double value = operations<double>()[operation].apply({p.lower}, {q.lower}).value;
+        const char* const why = contains(p, 0) || contains(q, 0) ? " has no finite value"
+                                : std::isnan(value)              ? " is not real"
+                                : std::isinf(value)              ? " is too large"
+                                                                 : " has no finite value";
+        fail(std::string(name) + why, at);
+    }
+    std::size_t add(std::string_view name, std::size_t at, std::size_t a) { return add(name, at, a, a); }
+
+    std::size_t sum() {
+        std::size_t all = product();
+        for (char sign = letter(); sign == '+' || sign == '-'; sign = letter()) {
+            const std::size_t at = at_++;
+            all = add(sign == '+' ? "the sum" : "the difference", at, all, product());
+        }
+        return all;
+    }
+
+    std::size_t product() {
+        std::size_t all = factor();
+        for (char sign = letter(); sign == '*' || sign == '/'; sign = letter()) {
+            const std::size_t at = at_++;
+            all = add(sign == '*' ? "the product" : "the quotient", at, all, factor());
+        }
+        return all;
+    }
+
+    std::size_t factor() {
+        if (++depth_ > deepest) fail("nested more than " + std::to_string(deepest) + " deep");
+        const std::size_t all = take('+') ? factor() : take('-') ? negative() : power();
+        --depth_;
+        return all;
+    }
+
+    std::size_t negative() {
+        const std::size_t at = at_ - 1;
+        return add("the negative", at, factor());
+    }
+
+    std::size_t power() {
+        const std::size_t base = operand();
+        if (letter() != '^') return base;
+        const std::size_t at = at_++;
+        return add("the power", at, base, factor());
+    }
+
+    std::size_t operand() {
+        const char first = letter();
+        if (is_digit(first) || (first == '.' && digit_at(at_ + 1))) return decimal();
+        if (is_letter(first)) return name();
+        if (!take('(')) fail("a number, " + known_ + "a function or '(' expected");
+        return closed();
+    }
+
+    /// What is left of a pair of parentheses.
+    std::size_t closed() {
+        const std::size_t inner = sum();
+        if (!take(')')) {
+            if (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '('))
+                fail("an operator or ')' expected");
+            fail("')' expected");
+        }
+        return inner;
+    }
+
+    std::size_t decimal() {
+        const std::size_t start = at_;
+        std::string digits;
+        int exponent = 0;
+        while (digit_at(at_)) digits += text_[at_++];
+        if (at_ < text_.size() && text_[at_] == '.')
+            for (++at_; digit_at(at_); --exponent) digits += text_[at_++];
+        if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
+            const bool sign = at_ + 1 < text_.size() && (text_[at_ + 1] == '+' || text_[at_ + 1] == '-');
+            const std::size_t from = at_ + (sign ? 2 : 1);
+            if (digit_at(from)) {
+                int read = 0;
+                const bool negative = text_[at_ + 1] == '-';
+                for (at_ = from; digit_at(at_); ++at_)
+                    read = std::min(10 * read + (text_[at_] - '0'), 10 * largest_exponent);
+                exponent += negative ? -read : read;
+            }
+        }
+        if (std::abs(exponent) > largest_exponent || digits.size() > largest_exponent)
+            fail("a number is too long", start);
+        return add_number(digits + "e" + std::to_string(exponent), start);
+    }
+
+    std::size_t name() {
+        const std::size_t start = at_;
+        while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+        const std::string word(text_.substr(start, at_ - start));
+        const auto variable = std::find(variables_.begin(), variables_.end(), word);
+        if (variable != variables_.end())
+            return add({Step::Kind::variable, static_cast<std::size_t>(variable - variables_.begin())});
+        if (word == "pi") return add_number(pi, start);
+        if (word == "e") return add_number(e, start);
+        if (word == "abs")
+            fail("abs", start, ": it has no derivative where its argument is zero; take a smooth function");
+        const std::size_t operation = operation_named(word);
+        if (operation == operations<Interval>().size())
+            fail("there is no " + quoted(word), start,
+                 "; choose among " + known_ + "pi, e" + function_names());
+        if (!take('(')) fail("'(' expected after " + word);
+        if (operations<Interval>()[operation].arguments == 1) return add(word, start, closed());
+        const std::size_t first = sum();
+        if (!take(',')) fail("',' expected after the first argument of " + word);
+        return add(word, start, first, closed());
+    }
+
+    std::string_view text_;
+    const std::vector<std::string>& variables_;
+    std::string known_;  // variables, each with a comma behind
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    Program program_;
+    std::vector<std::optional<Interval>> constants_;
+};
+
+/// How many of f, f′, f″, counted from the first, are bounded over an interval of x.
+int bounded_orders(const Evaluator<Interval>& evaluator, const Interval& x) {
+    const auto [f, Df, D2f] = evaluator({&x, 1});
+    return !is_bounded(f) ? 0 : !is_bounded(Df) ? 1 : !is_bounded(D2f) ? 2 : 3;
+}
+
+/// \throws InvalidInput naming the first of f, f′, f″ that is not bounded, and a place of [0, 1]
+void check_bounded(const Program& program) {
+    const double narrowest = std::exp2(-40);
+    const Evaluator<Interval> evaluator(program);
+    std::vector<Interval> pieces{{0, 1}};
+    int bounded = 3;  // orders that are bounded on all pieces so far
+    double place = 0;
+    for (std::size_t work = 0; !pieces.empty();) {
+        const Interval piece = pieces.back();
+        pieces.pop_back();
+        work += program.steps.size();
+        const int orders = bounded_orders(evaluator, piece);
+        if (orders >= bounded) continue;
+        const double middle = piece.lower + (piece.upper - piece.lower) / 2;
+        if (piece.upper - piece.lower > narrowest && work < most_work) {
+            pieces.emplace_back(middle, piece.upper);
+            pieces.emplace_back(piece.lower, middle);
+        } else {
+            bounded = orders;
+            place = piece.lower == 0 ? 0 : piece.upper == 1 ? 1 : middle;
+        }
+    }
+    if (bounded == 3) return;
+    constexpr std::array what{"the function", "its first derivative", "its second derivative"};
+    std::ostringstream message;
+    message.imbue(std::locale::classic());
+    message.precision(4);
+    message << what.at(static_cast<std::size_t>(bounded)) << " is not real and bounded near x = " << place
+            << "; take one that is smooth on [0, 1]";
+    throw InvalidInput(message.str());
+}
+
+}  // namespace
+
+std::string vocabulary() {
+    return "numbers, x, pi, e, + - * / ^ ( )" + function_names();
+}
+
+Program parsed(std::string_view text, const std::vector<std::string>& variables) {
+    return Parser(text, variables).program();
+}
+
+std::vector<std::string> separated(std::string_view list) {
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    for (const char letter : list) {
+        depth = letter == '(' ? depth + 1 : letter == ')' ? std::max(depth - 1, 0) : depth;
+        if (letter == ',' && depth == 0)
+            parts.emplace_back();
+        else
+            parts.back() += letter;
+    }
+    return parts;
+}
+
+Program smooth_program(const std::string& option, const std::string& text) {
+    try {
+        Program program = parsed(text);
+        check_bounded(program);
+        return program;
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(option + ": " + quoted(text) + " : " + error.what());
+    }
+}
+
+template base::Smooth<double> smooth(const std::string&, const std::string&);
+template base::Smooth<long double> smooth(const std::string&, const std::string&);
+
+}  // namespace expressions
