@@ -27,7 +27,7 @@ export TSAN_OPTIONS := ignore_noninstrumented_modules=1
 endif
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
-LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lginac -lcln -lquadmath
+LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lquadmath
 # clang++ needs the place of g++'s quadmath.h and libquadmath, and its -Wconversion includes signs.
 gcc = $(shell dirname "$$(g++ -print-libgcc-file-name)")
 for_clang_only = -idirafter $(gcc)/include -Wno-sign-conversion

@@ -1,46 +1,93 @@
-#include <ginac/ginac.h>
-
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <functional>
 #include <vector>
 
 #include "tests/support.hpp"
 
 using namespace asprone2010;
-using GiNaC::ex;
-using GiNaC::numeric;
 
-/// An independent calculation of the stencils: the printed formulas in exact rationals, lengths in the unit of x, derivatives
-/// symbolic. It takes the kernels that are polynomials piece by piece.
+/// An independent calculation of the stencils: the printed formulas in exact rationals, lengths in the unit of x. It covers the
+/// kernels that are polynomials piece by piece, which it differentiates exactly.
 namespace {
 
-const GiNaC::symbol offset("r");  // x − x_i
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+
+/// A polynomial of the offset r = x − x_i by its coefficients, the constant first.
+class Polynomial {
+  public:
+    Polynomial(int constant) : c_{constant} {}
+    Polynomial(const Rational& constant) : c_{constant} {}
+    Polynomial(const Rational& constant, const Rational& slope) : c_{constant, slope} {}
+    explicit Polynomial(std::vector<Rational> coefficients) : c_(std::move(coefficients)) {}
+
+    Rational operator()(const Rational& r) const {
+        Rational value = 0;
+        for (auto c = c_.rbegin(); c != c_.rend(); ++c) value = value * r + *c;
+        return value;
+    }
+
+    [[nodiscard]] Polynomial derivative() const {
+        std::vector<Rational> c(std::max<std::size_t>(c_.size() - 1, 1));
+        for (std::size_t k = 1; k < c_.size(); ++k) c[k - 1] = Rational(k) * c_[k];
+        return Polynomial(c);
+    }
+
+    friend Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+        std::vector<Rational> c(std::max(a.c_.size(), b.c_.size()));
+        for (std::size_t k = 0; k < a.c_.size(); ++k) c[k] += a.c_[k];
+        for (std::size_t k = 0; k < b.c_.size(); ++k) c[k] += b.c_[k];
+        return Polynomial(c);
+    }
+    friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+        std::vector<Rational> c(a.c_.size() + b.c_.size() - 1);
+        for (std::size_t k = 0; k < a.c_.size(); ++k)
+            for (std::size_t l = 0; l < b.c_.size(); ++l) c[k + l] += a.c_[k] * b.c_[l];
+        return Polynomial(c);
+    }
+    friend Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + Polynomial(-1) * b; }
+    friend Polynomial operator/(const Polynomial& a, const Rational& divisor) {
+        return a * Polynomial(1 / divisor);
+    }
+
+  private:
+    std::vector<Rational> c_;
+};
+
+Polynomial pow(const Polynomial& a, int exponent) {
+    return exponent == 0 ? Polynomial(1) : a * pow(a, exponent - 1);
+}
+
+const Polynomial offset(0, 1);
 
 /// A kernel for h = 1 as a polynomial of the distance q: the one that holds at a given distance.
 struct Pieces {
     particles::Kernel kernel;
     int support;
-    std::function<ex(const ex& q, const numeric& distance)> W;
+    std::function<Polynomial(const Polynomial& q, const Rational& distance)> W;
 };
 
 const std::vector<Pieces>& polynomial_kernels() {
-    using GiNaC::pow;
     static const std::vector<Pieces> all{
         {particles::CubicSpline{}, 2,
-         [](const ex& q, const numeric& distance) {
-             return distance < 1 ? numeric(2, 3) - pow(q, 2) + pow(q, 3) / 2 : pow(2 - q, 3) / 6;
+         [](const Polynomial& q, const Rational& distance) {
+             return distance < 1 ? Rational(2, 3) - pow(q, 2) + pow(q, 3) / 2 : pow(2 - q, 3) / 6;
          }},
         {particles::QuinticSpline{}, 3,
-         [](const ex& q, const numeric& distance) {
-             ex W = pow(3 - q, 5);
-             if (distance < 2) W -= 6 * pow(2 - q, 5);
-             if (distance < 1) W += 15 * pow(1 - q, 5);
+         [](const Polynomial& q, const Rational& distance) {
+             Polynomial W = pow(3 - q, 5);
+             if (distance < 2) W = W - 6 * pow(2 - q, 5);
+             if (distance < 1) W = W + 15 * pow(1 - q, 5);
              return W / 120;
          }},
         {particles::WendlandC2{}, 2,
-         [](const ex& q, const numeric&) { return numeric(5, 8) * pow(1 - q / 2, 3) * (1 + 3 * q / 2); }},
+         [](const Polynomial& q, const Rational&) {
+             return Rational(5, 8) * pow(1 - q / 2, 3) * (1 + 3 * q / 2);
+         }},
         {particles::WendlandC4{}, 2,
-         [](const ex& q, const numeric&) {
-             return numeric(3, 4) * pow(1 - q / 2, 5) * (1 + 5 * q / 2 + 2 * pow(q, 2));
+         [](const Polynomial& q, const Rational&) {
+             return Rational(3, 4) * pow(1 - q / 2, 5) * (1 + 5 * q / 2 + 2 * pow(q, 2));
          }},
     };
     return all;
@@ -48,69 +95,81 @@ const std::vector<Pieces>& polynomial_kernels() {
 
 /// Particle j as particle i sees it.
 struct Neighbour {
-    Neighbour(std::size_t number, const numeric& r_j, const numeric& V_j, const ex& kernel)
-        : j(number), r(r_j), V(V_j), W_i(kernel), W(here(W_i)), DW(here(W_i.diff(offset))) {}
+    Neighbour(std::size_t number, const Rational& r_j, const Rational& V_j, const Polynomial& kernel)
+        : j(number), r(r_j), V(V_j), W_i(kernel), W(W_i(r)), DW(W_i.derivative()(r)) {}
 
     std::size_t j;
-    numeric r, V;
-    ex W_i;  // around r, a polynomial of the offset
-    numeric W, DW;
-
-  private:
-    [[nodiscard]] numeric here(const ex& f) const { return GiNaC::ex_to<numeric>(f.subs(offset == r)); }
+    Rational r, V;
+    Polynomial W_i;  // around r
+    Rational W, DW;
 };
 using Near = std::vector<Neighbour>;
 
 /// What each of N equally spaced particles sees.
-std::vector<Near> lattice(const Pieces& kernel, std::size_t N, const numeric& spacing, const numeric& h,
+std::vector<Near> lattice(const Pieces& kernel, std::size_t N, const Rational& spacing, const Rational& h,
                           particles::Volumes volumes) {
     std::vector<Near> all(N);
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t j = 0; j < N; ++j) {
-            const numeric r = spacing * (numeric(static_cast<long>(j)) - numeric(static_cast<long>(i)));
-            const numeric distance = GiNaC::abs(r) / h;
+            const Rational r = spacing * (Rational(j) - Rational(i));
+            const Rational distance = abs(r) / h;
             if (distance >= kernel.support) continue;
             const bool half = volumes == particles::Volumes::partition && (j == 0 || j == N - 1);
-            const ex W_i = kernel.W((r < 0 ? -offset : ex(offset)) / h, distance) / h;
+            const Polynomial q(0, (r < 0 ? -1 : 1) / h);
+            const Polynomial W_i = kernel.W(q, distance) / h;
             all[i].emplace_back(j, r, half ? spacing / 2 : spacing, W_i);
         }
     return all;
 }
 
 /// Σ_j (x_j − x_i)^k f(x_j) ΔΩ_j.
-numeric moment(const Near& near, int k, numeric Neighbour::*f) {
-    numeric sum = 0;
+Rational moment(const Near& near, int k, Rational Neighbour::*f) {
+    Rational sum = 0;
     for (const Neighbour& each : near) {
-        numeric term = (each.*f) * each.V;
+        Rational term = (each.*f) * each.V;
         for (int n = 0; n < k; ++n) term *= each.r;
         sum += term;
     }
     return sum;
 }
 
+using Matrix = std::vector<std::vector<Rational>>;
+
+/// The solution of A c = (1, 0, 0, …) by elimination. \param A regular, as are its leading blocks
+std::vector<Rational> first_column_of_inverse(Matrix A) {
+    std::vector<Rational> c(A.size(), 0);
+    c.front() = 1;
+    for (std::size_t k = 0; k < A.size(); ++k)
+        for (std::size_t i = 0; i < A.size(); ++i) {
+            if (i == k) continue;
+            const Rational factor = A[i][k] / A[k][k];
+            for (std::size_t l = 0; l < A.size(); ++l) A[i][l] -= factor * A[k][l];
+            c[i] -= factor * c[k];
+        }
+    for (std::size_t k = 0; k < A.size(); ++k) c[k] /= A[k][k];
+    return c;
+}
+
 /// The kernel times the polynomial of the given exponents with which its moments of these orders are 1, 0, 0, …
 Near corrected(const Near& near, const std::vector<int>& exponents) {
-    const auto n = static_cast<unsigned>(exponents.size());
-    GiNaC::matrix moments(n, n), wanted(n, 1);
-    for (unsigned k = 0; k < n; ++k)
-        for (unsigned l = 0; l < n; ++l)
-            moments(k, l) = moment(near, exponents[k] + exponents[l], &Neighbour::W);
-    wanted(0, 0) = 1;
-    const GiNaC::matrix c = moments.inverse().mul(wanted);
-    ex C = 0;
-    for (unsigned k = 0; k < n; ++k) C += c(k, 0) * GiNaC::pow(offset, exponents[k]);
+    Matrix moments;
+    for (const int k : exponents) {
+        moments.emplace_back();
+        for (const int l : exponents) moments.back().push_back(moment(near, k + l, &Neighbour::W));
+    }
+    const std::vector<Rational> c = first_column_of_inverse(moments);
+    Polynomial C(0);
+    for (std::size_t k = 0; k < c.size(); ++k) C = C + c[k] * pow(offset, exponents[k]);
     Near all;
     for (const Neighbour& each : near) all.emplace_back(each.j, each.r, each.V, C * each.W_i);
     return all;
 }
 
-using Matrix = std::vector<std::vector<numeric>>;
-
 /// Rows of a formulation's operators; for D², where D is applied twice, all rows of D are made.
 struct Stencils {
     Stencils(std::string_view formulation, const std::vector<Near>& near,
              const std::vector<std::size_t>& rows)
-        : D(near.size(), std::vector<numeric>(near.size(), 0)), D2(D) {
+        : D(near.size(), std::vector<Rational>(near.size(), 0)), D2(D) {
         for (const std::size_t i : rows) set_rows(formulation, i, near[i]);
         if (solves_for_both_) return;
         for (std::size_t i = 0; i < near.size(); ++i)
@@ -124,9 +183,9 @@ struct Stencils {
 
   private:
     /// Weights (a W + b DW) ΔΩ on B(x_j) − B(x_i).
-    static void set_row(Matrix& of, std::size_t i, const Near& near, const numeric& a, const numeric& b) {
+    static void set_row(Matrix& of, std::size_t i, const Near& near, const Rational& a, const Rational& b) {
         for (const Neighbour& each : near) {
-            const numeric weight = (a * each.W + b * each.DW) * each.V;
+            const Rational weight = (a * each.W + b * each.DW) * each.V;
             of[i][each.j] += weight;
             of[i][i] -= weight;
         }
@@ -139,15 +198,15 @@ struct Stencils {
         const auto W = [&](int k) { return moment(near, k, &Neighbour::W); };
         const auto DW = [&](int k) { return moment(near, k, &Neighbour::DW); };
         if (formulation == "fpm") {  // (29), (30)
-            const numeric det = W(0) * DW(1) - W(1) * DW(0);
+            const Rational det = W(0) * DW(1) - W(1) * DW(0);
             set_row(D, i, near, -DW(0) / det, W(0) / det);
         } else if (formulation == "chen_beraun") {  // (16), (20)
-            const numeric half = W(2) / 2;
+            const Rational half = W(2) / 2;
             set_row(D, i, near, 0, 1 / DW(1));
             set_row(D2, i, near, 1 / half, -W(1) / DW(1) / half);
             solves_for_both_ = true;
         } else if (formulation == "modified_fpm" || formulation == "second_order_fpm") {  // (35), (36), (43)
-            const numeric det = (W(1) * DW(2) - W(2) * DW(1)) / 2;
+            const Rational det = (W(1) * DW(2) - W(2) * DW(1)) / 2;
             set_row(D, i, near, DW(2) / 2 / det, -W(2) / 2 / det);
             set_row(D2, i, near, -DW(1) / det, W(1) / det);
             solves_for_both_ = true;
@@ -160,11 +219,12 @@ struct Stencils {
 };
 
 /// The largest difference of a weight from the exact one, over the row's largest.
-double difference(const Operator<double>& D, const std::vector<numeric>& exact, Index i) {
+double difference(const Operator<double>& D, const std::vector<Rational>& exact, Index i) {
     double largest = 0, farthest = 0;
     for (std::size_t j = 0; j < exact.size(); ++j) {
-        largest = std::max(largest, std::abs(exact[j].to_double()));
-        farthest = std::max(farthest, std::abs(D.coeff(i, static_cast<Index>(j)) - exact[j].to_double()));
+        largest = std::max(largest, std::abs(static_cast<double>(exact[j])));
+        farthest =
+            std::max(farthest, std::abs(D.coeff(i, static_cast<Index>(j)) - static_cast<double>(exact[j])));
     }
     return farthest / largest;
 }
@@ -178,15 +238,15 @@ TEST_CASE(
     const std::size_t N = 17;
     const std::vector<std::size_t> rows{0, 1, N / 2};
     for (const Pieces& kernel : polynomial_kernels())
-        for (const auto& ratio : {numeric(8, 5), numeric(7, 4), numeric(9, 4)})
+        for (const auto& ratio : {Rational(8, 5), Rational(7, 4), Rational(9, 4)})
             for (const auto volumes : {particles::Volumes::equal, particles::Volumes::partition}) {
-                const numeric spacing(1, static_cast<long>(N - 1));
+                const Rational spacing(1, static_cast<long>(N - 1));
                 const auto near = lattice(kernel, N, spacing, ratio * spacing, volumes);
-                const auto [line, smoothing] =
-                    support::particles_of(static_cast<Index>(N), {volumes, kernel.kernel, ratio.to_double()});
+                const auto [line, smoothing] = support::particles_of(
+                    static_cast<Index>(N), {volumes, kernel.kernel, static_cast<double>(ratio)});
                 for (const auto& formulation : formulations<double>()) {
                     CAPTURE(particles::name(kernel.kernel));
-                    CAPTURE(ratio.to_double());
+                    CAPTURE(static_cast<double>(ratio));
                     CAPTURE(particles::name(volumes));
                     CAPTURE(formulation.name);
                     const Stencils exact(formulation.name, near, rows);
