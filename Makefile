@@ -54,7 +54,8 @@ methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
 programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter src/programs/%,$(sources)))
-tests := $(filter-out $(BUILD)/tests/benchmarks/% $(BUILD)/tests/fuzzing/%,$(call objects_in,tests/%))
+refusals := $(programs:$(bin)/%=$(bin)/refusals/%)
+tests := $(filter-out $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/%),$(call objects_in,tests/%))
 
 .PHONY: help setup build data figures check claims clean
 help: ## list the targets
@@ -112,9 +113,12 @@ $(BUILD)/lib%.a:
 	mv $@.tmp.a $@
 
 $(programs): $(bin)/%: $(BUILD)/src/programs/%.o
-$(bin)/check: $(tests)
+$(bin)/check: $(tests) | $(refusals)
+# Each program once more, with a main that calls the program's own again and again.
+$(refusals): $(bin)/refusals/%: $(BUILD)/src/programs/%.o $(BUILD)/tests/refusals/main.o $(claims)
+$(refusals): more_libraries := -Wl,--wrap=main
 $(bin)/check $(bin)/claims $(bin)/choices $(bin)/walkthrough: $(claims)
-$(programs) $(bin)/check $(bin)/bench: $(tools) $(methods)
+$(programs) $(refusals) $(bin)/check $(bin)/bench: $(tools) $(methods)
 	@mkdir -p $(@D)
 	echo "link $@"
 	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(filter $(claims),$^) $(tools) $(methods) $(LDLIBS) $(more_libraries) -o $@.tmp.bin

@@ -53,8 +53,8 @@ coverage-build:
 # The compiler's own additions to a struct count on the line where it begins; that line is not looked at.
 coverage: coverage-build ## run the tests on counting code; fail where a line of a section file is not reached
 	@find $(BUILD)/coverage -name '*.gcda' -delete
-	# Thousands of short runs would take most of the time to add their counts to the files; some runs may not write them.
-	GCOV_ERROR_FILE=/dev/null $(BUILD)/coverage/bin/check --test-case-exclude="bad input: whatever*"
+	# Some runs may not write their counts.
+	GCOV_ERROR_FILE=/dev/null $(BUILD)/coverage/bin/check
 	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/' --exclude-throw-branches \
 	    --html-details $(BUILD)/coverage/index.html --print-summary > $(BUILD)/coverage/summary.txt
 	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/.*/section_' --filter 'src/.*/limit_stencils' \

@@ -66,12 +66,24 @@ Target target_of(const std::string& path) {
             !descriptor && (!exists || std::filesystem::is_regular_file(status)), status.permissions()};
 }
 
-constexpr std::size_t most_bytes = std::size_t(1) << 30U;  // of a text that is read: /dev/zero has no end
 constexpr std::array<int, 3> ending{SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t waiting = 0;  // a signal's handler can reach nothing else
 
 extern "C" void wait_for_the_end(int signal) {
     waiting = signal;
+}
+
+/// The longest text that is read: a device such as /dev/zero has no end.
+struct Limit {
+    std::size_t bytes;
+    const char* message;
+};
+
+Limit limit_of(const std::string& path) {
+    std::error_code none;
+    if (std::filesystem::is_character_file(path, none))
+        return {std::size_t(1) << 20U, "the device gives more than a megabyte"};
+    return {std::size_t(1) << 30U, "it holds more than a gigabyte"};
 }
 
 bool put(std::FILE* file, const std::string& text) {
@@ -145,11 +157,12 @@ void write_whole(const std::string& path, const std::string& text) {
 std::string read_whole(const std::string& path) {
     const File file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) fail("read", path);
+    const Limit limit = limit_of(path);
     std::string text;
     std::array<char, 65536> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get()))
-        if (text.append(buffer.data(), count).size() > most_bytes)
-            throw base::FailedComputation("cannot read " + path + ": it holds more than a gigabyte");
+        if (text.append(buffer.data(), count).size() > limit.bytes)
+            throw base::FailedComputation("cannot read " + path + ": " + limit.message);
     if (std::ferror(file.get()) != 0) fail("read", path);
     return text;
 }

@@ -31,7 +31,8 @@ void check_writable(const std::string& path);
 /// \throws base::FailedComputation naming the file and the system's reason
 void write_whole(const std::string& path, const std::string& text);
 
-/// \throws base::FailedComputation naming the file and the system's reason, or for more than a gigabyte
+/// \throws base::FailedComputation naming the file and the system's reason, or a text that is too long: more than a
+///         megabyte from a device (/dev/zero has no end), more than a gigabyte from anything else
 std::string read_whole(const std::string& path);
 
 }  // namespace report

@@ -10,14 +10,10 @@
 
 #include "report/file.hpp"
 #include "tests/folder.hpp"
+#include "tests/programs/outcome.hpp"
 
-/// Runs the programs that lie beside the test runner, as a user's shell does.
+/// Runs the programs beside the test runner, as a user's shell does.
 namespace programs {
-
-struct Outcome {
-    int code;
-    std::string output, errors;
-};
 
 using support::Folder;
 
@@ -26,22 +22,24 @@ inline std::string bin() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
 }
 
-/// \param command a program's name and its options
+/// \param command a line for the shell: a program's name and its options. OpenBLAS starts no threads, which
+///        takes longer than most of these runs; the programs use one in any case.
 inline Outcome run(const std::string& command) {
     const Folder folder;
-    const std::string line = "PATH='" + bin() + "':$PATH; " + command + " >'" + folder.path + "/output' 2>'" +
-                             folder.path + "/errors'";
+    const std::string line = "export OPENBLAS_NUM_THREADS=1 PATH='" + bin() + "':$PATH; " + command + " >'" +
+                             folder.path + "/output' 2>'" + folder.path + "/errors'";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, report::read_whole(folder.path + "/output"),
             report::read_whole(folder.path + "/errors")};
 }
 
-/// A failure as users should see it: this exit code, one line on standard error that names the program, no output.
-/// \param by what runs the command, where it is not the shell
+/// Checks a failure: this exit code, no output, and one line on standard error that begins with the program's
+/// name.
+/// \param prefix shell text before the command
 inline void check_refused(const std::string& command, int code, const std::string& reason,
-                          const std::string& by = "") {
+                          const std::string& prefix = "") {
     CAPTURE(command);
-    const Outcome outcome = run(by + command);
+    const Outcome outcome = run(prefix + command);
     const std::string& errors = outcome.errors;
     CAPTURE(errors);
     CHECK(outcome.code == code);
