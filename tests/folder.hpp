@@ -6,7 +6,7 @@
 
 namespace support {
 
-/// A new empty folder for what a test writes, removed at the end.
+/// A new empty folder for the files of a test, removed at the end of the scope.
 struct Folder {
     std::string path =
         (std::filesystem::temp_directory_path() / ("particles_test_" + std::string(6, 'X'))).string();

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Counts the test cases, for the closing line.
+/// Counts the test cases for the closing line.
 struct Count : doctest::IReporter {
     static inline unsigned passed = 0, failed = 0;
 

@@ -10,7 +10,7 @@
 
 namespace support {
 
-/// Exponents of a monomial in up to three coordinates; of fewer the rest are zero.
+/// Exponents of a monomial in three coordinates; those of unused coordinates are zero.
 using Powers = std::array<int, 3>;
 
 template <std::size_t dim>
@@ -20,7 +20,7 @@ Powers powers(const std::array<int, dim>& exponents) {
     return all;
 }
 
-/// A polynomial in one, two or three variables with all its derivatives; its coefficients are draws.
+/// A polynomial in one, two or three variables with random coefficients, and all its derivatives.
 class Polynomial {
   public:
     Polynomial(int dim, int degree, unsigned seed) {
@@ -31,14 +31,14 @@ class Polynomial {
                     terms_.emplace_back(Powers{a, b, c}, draw());
     }
 
-    /// \param often how often to differentiate by each coordinate
-    [[nodiscard]] double derivative(const Powers& often, const Eigen::Ref<const Eigen::VectorXd>& x) const {
+    /// \param orders how many times to differentiate with respect to each coordinate
+    [[nodiscard]] double derivative(const Powers& orders, const Eigen::Ref<const Eigen::VectorXd>& x) const {
         double sum = 0;
         for (const auto& [exponents, coefficient] : terms_) {
             double term = coefficient;
             for (Index axis = 0; axis < x.size(); ++axis) {
                 int exponent = exponents[static_cast<std::size_t>(axis)];
-                for (int k = 0; k < often[static_cast<std::size_t>(axis)]; ++k) term *= exponent--;
+                for (int k = 0; k < orders[static_cast<std::size_t>(axis)]; ++k) term *= exponent--;
                 for (; exponent > 0; --exponent) term *= x[axis];
             }
             sum += term;

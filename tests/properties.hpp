@@ -11,11 +11,11 @@
 #include <random>
 #include <string>
 
-/// Properties that hold whatever is drawn.
+/// Tests of properties on random data.
 namespace support {
 
-/// Calls `check(seed)` for the seeds 1 to 40; for one alone where the environment variable PROPERTY_SEED names it. What fails
-/// says its seed, and `PROPERTY_SEED=17 build/bin/check -tc="properties*"` repeats it.
+/// Calls `check(seed)` for the seeds 1 to 40, or only for the seed in the environment variable PROPERTY_SEED.
+/// A failure shows its seed; `PROPERTY_SEED=17 build/bin/check -tc="properties*"` repeats it.
 template <class Check>
 void for_each_seed(const Check& check) {
     const char* const only = std::getenv("PROPERTY_SEED");
@@ -26,7 +26,7 @@ void for_each_seed(const Check& check) {
     }
 }
 
-/// What is drawn from a seed: the same on every system, which the standard's distributions do not promise.
+/// Random numbers from a seed, the same on every system; the distributions of the standard library are not.
 class Draw {
   public:
     explicit Draw(std::uint64_t seed) : random_(seed) {}
@@ -41,7 +41,7 @@ class Draw {
     [[nodiscard]] Choice one_of(std::initializer_list<Choice> choices) {
         return choices.begin()[random_() % choices.size()];
     }
-    /// A factor from 1e-4 to 127 with few digits: what is on_lattice(), times it, is exact.
+    /// A factor from 1e-4 to 127 with so few digits that its products with numbers of on_lattice() are exact.
     [[nodiscard]] double factor() {
         const auto odd = static_cast<double>(2 * (random_() % 128) + 1);
         return std::ldexp(odd, static_cast<int>(between(Eigen::Index{-13}, Eigen::Index{-1})));
@@ -51,15 +51,16 @@ class Draw {
     std::mt19937_64 random_;
 };
 
-/// Numbers of size 1 rounded to multiples of 2⁻³⁰: sums and differences of them are exact, and what a property is broken by is not
-/// the rounding of the positions, which counts in units of the distance between particles.
+/// Numbers of size 1 rounded to multiples of 2⁻³⁰, whose sums and differences are exact: no property fails
+/// because positions are rounded, which matters relative to the spacing.
 template <class Numbers>
 typename Numbers::PlainObject on_lattice(const Eigen::DenseBase<Numbers>& x) {
     return x.derived().unaryExpr(
         [](double each) { return std::ldexp(std::nearbyint(std::ldexp(each, 30)), -30); });
 }
 
-/// So many threads, until the end of a scope. Small cases run on one: where others compute as well, threads wait for each other.
+/// Sets the number of threads until the end of a scope. Small cases run on one thread: on a busy machine,
+/// threads wait for each other.
 class Threads {
   public:
     explicit Threads(int count) { omp_set_num_threads(count); }

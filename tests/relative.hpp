@@ -4,8 +4,8 @@
 
 namespace support {
 
-/// Equal up to a relative tolerance. (doctest's Approx alone adds an absolute one of the same size, in which a small number
-/// drowns.)
+/// Equal up to a relative tolerance. doctest's Approx alone adds an absolute tolerance of the same size, too
+/// large for small numbers.
 inline doctest::Approx relative(double value, double tolerance) {
     return doctest::Approx(value).epsilon(tolerance).scale(0);
 }

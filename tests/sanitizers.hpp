@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which sanitizer the tests are compiled for: a few things cannot be tried under one.
+/// The sanitizer that the tests are compiled with; a few tests cannot run under one.
 namespace support {
 
 #ifndef __has_feature

@@ -11,7 +11,7 @@
 #include "report/statistics.hpp"
 #include "tests/relative.hpp"
 
-/// What several tests need.
+/// Functions that several tests share.
 namespace support {
 
 using asprone2010::Column;
@@ -29,7 +29,7 @@ inline asprone2010::numerical_tests::Particles<double> particles_of(
     return asprone2010::numerical_tests::discretise<double>(how, N, seed);
 }
 
-/// Sum of weights on differences, for B at particle i of a line. \param near the particles that the weights belong to
+/// Σ_j w_j [B(x_j) − B(x_i)] for particle i of a line. \param near the particles that the weights belong to
 template <class Function>
 double sum_of_differences(const Column<double>& weights, const particles::Line<double>& line,
                           const particles::Range& near, Index i, const Function& B) {
@@ -39,7 +39,7 @@ double sum_of_differences(const Column<double>& weights, const particles::Line<d
     return sum;
 }
 
-/// Sum of weights on values.
+/// Σ_j w_j B(x_j). \param near the particles that the weights belong to
 template <class Function>
 double sum_of_values(const Column<double>& weights, const particles::Line<double>& line,
                      const particles::Range& near, const Function& B) {
@@ -48,12 +48,13 @@ double sum_of_values(const Column<double>& weights, const particles::Line<double
     return sum;
 }
 
-/// A discrete form against its integral form: with h fixed and δ halved again and again, the sum over the particles must
-/// tend to the integral, at the ends and inside, for every kernel and for both conventions of the volumes. The sum is a
-/// trapezoidal rule where the end particles carry half a spacing (order 2), and a rectangle rule where they do not (order 1).
+/// Compares a discrete form with its integral form: with h fixed and δ halved repeatedly, the sum over the
+/// particles must tend to the integral, at the ends and inside, for every kernel and for both conventions of
+/// the volumes. The sum is a trapezoidal rule where the end particles carry half a spacing (order 2), and a
+/// rectangle rule where they do not (order 1).
 /// \param discrete (line, near, neighbourhood, i) -> value, in units of h
 /// \param integral (CentredKernel) -> value
-/// \param power of 1/h that the discrete value still needs
+/// \param power the power of h by which the discrete value must be divided
 template <class Discrete, class Integral>
 void check_tends_to_integral(const Discrete& discrete, const Integral& integral, int power) {
     const double h = 0.08;
@@ -86,7 +87,7 @@ void check_tends_to_integral(const Discrete& discrete, const Integral& integral,
     });
 }
 
-/// Observed order of an error in h, at a place of [0, 1], over three halvings of the smoothing length.
+/// Observed order of an error in h at a place of [0, 1], from three halvings of the smoothing length.
 /// \param error (CentredKernel) -> error
 template <class Error>
 double order_in_h(double place, const Error& error, const particles::Kernel& kernel = particles::Gaussian{}) {

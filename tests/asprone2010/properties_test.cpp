@@ -1,10 +1,10 @@
 #include "tests/properties.hpp"
-#include "base/text.hpp"
 
 #include <Eigen/LU>
 #include <vector>
 
 #include "asprone2010/section_5_2_static_test.hpp"
+#include "base/text.hpp"
 
 using namespace asprone2010;
 using particles::Kernel;
@@ -16,13 +16,13 @@ using support::Draw;
 
 namespace {
 
-/// A line of particles as it may come.
+/// Random particles, volumes, kernel and smoothing lengths.
 struct Case {
     Column<double> x;
     Volumes volumes;
     Kernel kernel;
-    Column<double> h;   // one, or one for each particle
-    double factor = 1;  // to stretch it by
+    Column<double> h;   ///< one length for all, or one for each particle
+    double factor = 1;  ///< by which a test stretches the line
 
     [[nodiscard]] std::string description() const {
         const auto N = static_cast<double>(x.size() - 1);
@@ -45,8 +45,8 @@ struct Case {
     }
 };
 
-/// Equal distances, perturbed ones, or distances that differ up to fourfold.
-Column<double> drawn_positions(Draw& draw, Index N) {
+/// Positions from 0 to 1 with equal spacings, perturbed ones, or spacings that differ by a factor of up to 4.
+Column<double> random_positions(Draw& draw, Index N) {
     enum Kind { equal, perturbed, random };
     const Kind kind = draw.one_of({equal, perturbed, random});
     const double amplitude = kind == perturbed ? draw.between(0.0, 0.45) : 0,
@@ -63,7 +63,7 @@ Column<double> drawn_positions(Draw& draw, Index N) {
     return x;
 }
 
-/// The least h, in units of a spacing, with which every particle has four others within a reach that carries weight.
+/// The smallest h/spacing at which every particle has four neighbours where the kernel is not negligible.
 double least_ratio(const Column<double>& x, const Column<double>& unit, const Kernel& kernel) {
     const double reach = std::min(particles::support<double>(kernel), 3.0);
     double least = 0;
@@ -75,37 +75,39 @@ double least_ratio(const Column<double>& x, const Column<double>& unit, const Ke
     return least;
 }
 
-Case drawn(std::uint64_t seed, Index fewest, Index most) {
+/// A case with between `fewest` and `most` particles.
+Case random_case(std::uint64_t seed, Index fewest, Index most) {
     Draw draw(seed);
-    Case of;
-    of.x = drawn_positions(draw, draw.between(fewest, most));
-    of.volumes = draw.one_of({Volumes::equal, Volumes::partition});
-    of.kernel =
+    Case sample;
+    sample.x = random_positions(draw, draw.between(fewest, most));
+    sample.volumes = draw.one_of({Volumes::equal, Volumes::partition});
+    sample.kernel =
         draw.one_of<Kernel>({particles::Gaussian{}, particles::CubicSpline{}, particles::QuinticSpline{},
                              particles::WendlandC2{}, particles::WendlandC4{}});
-    const auto unit = of.line().spacing(draw.one_of({Spacing::mean, Spacing::largest, Spacing::local}));
-    const double ratio = least_ratio(of.x, unit, of.kernel) * draw.between(1.05, 2.0);
-    // Quarters, at equal distances, leave particles on the very edge of the support.
-    of.h = unit * draw.one_of({ratio, std::ceil(4 * ratio) / 4});
-    of.factor = draw.factor();
-    return of;
+    const auto unit = sample.line().spacing(draw.one_of({Spacing::mean, Spacing::largest, Spacing::local}));
+    const double ratio = least_ratio(sample.x, unit, sample.kernel) * draw.between(1.05, 2.0);
+    // With equal spacings, multiples of 1/4 put particles exactly on the edge of the support.
+    sample.h = unit * draw.one_of({ratio, std::ceil(4 * ratio) / 4});
+    sample.factor = draw.factor();
+    return sample;
 }
 
-/// Calls `check(case, formulation)` for each formulation and what each seed draws.
+/// Calls `check(case, formulation)` for the case of each seed and for each formulation.
 template <class Check>
 void for_each_case(Index fewest, Index most, const Check& check) {
     const support::Threads one(1);
     support::for_each_seed([&](std::uint64_t seed) {
-        const Case of = drawn(seed, fewest, most);
-        INFO(of.description());
+        const Case sample = random_case(seed, fewest, most);
+        INFO(sample.description());
         for (const auto& formulation : formulations<double>()) {
             CAPTURE(formulation.name);
-            check(of, formulation);
+            check(sample, formulation);
         }
     });
 }
 
-/// Polynomials of what degree a formulation differentiates exactly, on any particles, and whether its D² is D applied twice.
+/// The degrees up to which a formulation's first and second derivative are exact on any particles; whether
+/// its D² is D applied twice.
 struct Theory {
     int first, second;
     bool twice;
@@ -125,7 +127,7 @@ Eigen::MatrixXd minor_of(const Eigen::MatrixXd& A, Index i, Index j) {
     });
 }
 
-/// The products of which a determinant consists, summed without their signs.
+/// The sum of the absolute values of all products in the determinant's expansion.
 double permanent(const Eigen::MatrixXd& A) {
     if (A.rows() == 0) return 1;
     double sum = 0;
@@ -133,18 +135,20 @@ double permanent(const Eigen::MatrixXd& A) {
     return sum;
 }
 
-/// A kernel and its derivative at the particles of a neighbourhood, in size, and by how much they may err.
+/// Absolute values of a kernel and its derivative at the particles of a neighbourhood, and bounds of their
+/// errors.
 struct Known {
     Column<double> W, DW, W_error, DW_error;
 };
 
-/// What round-off may make of the weights of a neighbourhood, to first order: `unit` for sums of as many terms as there are
-/// neighbours, of kernel values that carry a few roundings, and what the local systems make of it.
+/// First-order bounds of the round-off in the weights of a neighbourhood. `unit` bounds the relative error of
+/// a sum over the neighbours of kernel values with a few roundings each; the local systems amplify it.
 struct RoundOff {
     Neighbourhood<double> near;
     double unit = static_cast<double>(near.r.size() + 20) * std::numeric_limits<double>::epsilon();
 
-    /// Of an inverse, adjugate over determinant: the error of the matrix, and of each product of which either consists.
+    /// Error of an inverse, adjugate over determinant: from the error of A, and from the rounding of each
+    /// product in both.
     template <int n>
     [[nodiscard]] Eigen::Matrix<double, n, n> of_inverse(const Eigen::Matrix<double, n, n>& A,
                                                          const Eigen::Matrix<double, n, n>& A_error) const {
@@ -159,7 +163,7 @@ struct RoundOff {
         return {near.W, near.DW.abs(), unit * near.W, unit * near.DW.abs()};
     }
 
-    /// The kernel times a polynomial with the exponents p.
+    /// The kernel times a polynomial in r with the exponents p.
     template <int... p>
     [[nodiscard]] Known corrected() const {
         const auto& [r, W, DW, V] = near;
@@ -175,20 +179,22 @@ struct RoundOff {
         return {K.W.abs(), K.DW.abs(), C * W, DC * W + C * DW.abs()};
     }
 
-    /// Of the weights A⁻¹ (W, DW) ΔΩ, each row of them all together: of W and DW, of the sums in A, and of the inverse.
-    /// \param first, second what the columns of A are moments with
+    /// Errors of the weights A⁻¹ (W, DW) ΔΩ, summed over each row: from W and DW, from the sums in A, and
+    /// from the inverse.
+    /// \param first, second the factors whose moments are the columns of A
     [[nodiscard]] Eigen::Vector2d of_system(const Eigen::Matrix2d& A, const Column<double>& first,
-                                            const Column<double>& second, const Known& of) const {
-        const Column<double> W_error = (of.W_error + unit * of.W) * near.V,
-                             DW_error = (of.DW_error + unit * of.DW) * near.V;
+                                            const Column<double>& second, const Known& known) const {
+        const Column<double> W_error = (known.W_error + unit * known.W) * near.V,
+                             DW_error = (known.DW_error + unit * known.DW) * near.V;
         const Eigen::Matrix2d A_error{{(first * W_error).sum(), (second * W_error).sum()},
                                       {(first * DW_error).sum(), (second * DW_error).sum()}};
-        const Eigen::Vector2d sums{(of.W * near.V).sum(), (of.DW * near.V).sum()};
+        const Eigen::Vector2d sums{(known.W * near.V).sum(), (known.DW * near.V).sum()};
         return of_inverse<2>(A, A_error) * sums +
                A.inverse().cwiseAbs() * Eigen::Vector2d(W_error.sum(), DW_error.sum());
     }
 
-    /// Of a row's weights for D and, where the formulation solves for both, for D², in units of 1/h and 1/h².
+    /// Sums of the errors of a row's weights for D and, where the formulation solves for both, for D², in
+    /// units of 1/h and 1/h².
     [[nodiscard]] Eigen::Vector2d of_row(std::string_view formulation) const {
         const auto& [r, W, DW, V] = near;
         const Column<double> one = Column<double>::Ones(r.size()), s = r.abs(), half_square = s * s / 2;
@@ -201,45 +207,45 @@ struct RoundOff {
         if (formulation == "second_order_fpm")
             return of_system(modified_fpm::matrix(second_order_fpm::corrected(near)), s, half_square,
                              corrected<0, 1, 3>());
-        // Chen and Beraun divide by sums without cancellation; (20) is a difference.
+        // Chen and Beraun divide by sums without cancellation; (20) subtracts.
         const double D = (DW.abs() * V).sum() / (s * DW.abs() * V).sum();
         return 3 * unit *
                Eigen::Vector2d(D, ((W * V).sum() + 2 * (s * W * V).sum() * D) / (half_square * W * V).sum());
     }
 };
 
-/// The operators of a case as full matrices, with a bound of the round-off of each row: of the sum of its weights' errors.
+/// The operators of a case as full matrices, with a bound of the sum of the errors of each row's weights.
 struct Computed {
-    Computed(const Case& of, const Formulation<double>& formulation)
-        : Computed(of, formulation, of.operators(formulation)) {}
+    Computed(const Case& sample, const Formulation<double>& formulation)
+        : Computed(sample, formulation, sample.operators(formulation)) {}
 
     Eigen::MatrixXd D, D2;
     Column<double> D_error, D2_error;
 
   private:
-    Computed(const Case& of, const Formulation<double>& formulation, const Operators<double>& operators)
-        : D(operators.D), D2(operators.D2), D_error(of.x.size()), D2_error(of.x.size()) {
-        const auto line = of.line();
-        const auto smoothing = of.smoothing();
-        for (Index i = 0; i < of.x.size(); ++i) {
-            // Twice, since a particle's own weight is what the others sum to.
+    Computed(const Case& sample, const Formulation<double>& formulation, const Operators<double>& operators)
+        : D(operators.D), D2(operators.D2), D_error(sample.x.size()), D2_error(sample.x.size()) {
+        const auto line = sample.line();
+        const auto smoothing = sample.smoothing();
+        for (Index i = 0; i < sample.x.size(); ++i) {
+            // Twice, since a particle's own weight is minus the sum of the others.
             const RoundOff round_off{particles::neighbourhood(line, smoothing, i)};
             const Eigen::Vector2d error = 2 * round_off.of_row(formulation.name);
             D_error[i] = error[0] / smoothing.h(i);
             D2_error[i] = error[1] / (smoothing.h(i) * smoothing.h(i));
         }
-        // Of a product of two factors each contributes, and the sums of the product once more.
+        // Each factor of the product D·D contributes, and so do the sums of the product.
         if (theory_of(formulation.name).twice)
             D2_error = 3 * D_error.maxCoeff() * D.cwiseAbs().rowwise().sum().maxCoeff();
     }
 };
 
-/// The largest sum of sizes in a row, over what it may be.
+/// The largest ratio of a row's sum of absolute values to its bound.
 double excess(const Eigen::MatrixXd& difference, const Column<double>& bound) {
     return (difference.cwiseAbs().rowwise().sum().array() / bound).maxCoeff();
 }
 
-/// The largest error of Σ_j D_ij (x_j − x_i)^k, k ≥ 1, over what round-off may make of it.
+/// The largest ratio of the error of Σ_j D_ij (x_j − x_i)^k, k ≥ 1, to its bound.
 double excess_of_moment(const Eigen::MatrixXd& D, const Column<double>& bound, const Column<double>& x, int k,
                         double exact) {
     double largest = 0;
@@ -263,30 +269,30 @@ constexpr Index few = 6, many = 80;
 }  // namespace
 
 TEST_CASE(
-    "properties: what round-off may make of a row is little beside its weights, so that the tests below can "
+    "properties: the bound of a row's round-off is small beside its weights, so that the tests below can "
     "fail") {
-    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
-        const Computed computed(of, formulation);
+    for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
+        const Computed computed(sample, formulation);
         CHECK((computed.D_error / computed.D.cwiseAbs().rowwise().sum().array()).maxCoeff() < 1e-6);
         CHECK((computed.D2_error / computed.D2.cwiseAbs().rowwise().sum().array()).maxCoeff() < 1e-6);
     });
 }
 
 TEST_CASE("properties: polynomials up to a formulation's degree are differentiated exactly, to round-off") {
-    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
+    for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
         const auto [first, second, twice] = theory_of(formulation.name);
-        const Computed computed(of, formulation);
+        const Computed computed(sample, formulation);
         for (int k = 1; k <= first; ++k)
-            CHECK(excess_of_moment(computed.D, computed.D_error, of.x, k, k == 1 ? 1 : 0) <= 2);
+            CHECK(excess_of_moment(computed.D, computed.D_error, sample.x, k, k == 1 ? 1 : 0) <= 2);
         for (int k = 1; k <= second; ++k)
-            CHECK(excess_of_moment(computed.D2, computed.D2_error, of.x, k, k == 2 ? 2 : 0) <= 2);
+            CHECK(excess_of_moment(computed.D2, computed.D2_error, sample.x, k, k == 2 ? 2 : 0) <= 2);
     });
 }
 
 TEST_CASE("properties: a row sums to zero to the last bit, and a constant has no derivatives") {
-    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
-        const Column<double> constant = Column<double>::Constant(of.x.size(), 1e10);
-        const auto [D, D2] = of.operators(formulation);
+    for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
+        const Column<double> constant = Column<double>::Constant(sample.x.size(), 1e10);
+        const auto [D, D2] = sample.operators(formulation);
         for (const auto* each : {&D, &D2}) {
             double largest = 0;
             for (Index i = 0; i < each->rows(); ++i) {
@@ -302,33 +308,33 @@ TEST_CASE("properties: a row sums to zero to the last bit, and a constant has no
 }
 
 TEST_CASE("properties: on mirrored particles D is reversed and changes its sign, D² is reversed") {
-    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
-        const Computed computed(of, formulation), mirrored(of.mirrored(), formulation);
+    for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
+        const Computed computed(sample, formulation), mirrored(sample.mirrored(), formulation);
         CHECK(excess(computed.D + mirrored.D.reverse(), computed.D_error) <= 2);
         CHECK(excess(computed.D2 - mirrored.D2.reverse(), computed.D2_error) <= 2);
     });
 }
 
 TEST_CASE("properties: a line that is a times as long has D/a and D²/a²") {
-    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
-        const double a = of.factor;
+    for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
+        const double a = sample.factor;
         CAPTURE(a);
-        const Computed computed(of, formulation), stretched(of.stretched(a), formulation);
+        const Computed computed(sample, formulation), stretched(sample.stretched(a), formulation);
         CHECK(excess(computed.D - a * stretched.D, computed.D_error) <= 2);
         CHECK(excess(computed.D2 - a * a * stretched.D2, computed.D2_error) <= 2);
     });
 }
 
 TEST_CASE("properties: a power of two times the length, and another place, change no bit of a weight") {
-    for_each_case(few, many, [](const Case& of, const Formulation<double>& formulation) {
-        const auto [D, D2] = of.operators(formulation);
+    for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
+        const auto [D, D2] = sample.operators(formulation);
         for (const double a : {0x1p-40, 0.5, 0x1p20}) {
-            const auto stretched = of.stretched(a).operators(formulation);
+            const auto stretched = sample.stretched(a).operators(formulation);
             CHECK(same_bytes(D, stretched.D * a));
             CHECK(same_bytes(D2, stretched.D2 * (a * a)));
         }
         for (const double by : {-1.0, 0.375, 100.0}) {
-            const auto moved = of.moved(by).operators(formulation);
+            const auto moved = sample.moved(by).operators(formulation);
             CHECK(same_bytes(D, moved.D));
             CHECK(same_bytes(D2, moved.D2));
         }
@@ -340,20 +346,20 @@ TEST_CASE("properties: operators and displacements have the same bytes on one, t
     const auto& second_order = formulation_named<double>("second_order_fpm");
     const support::Threads one(1);
     support::for_each_seed([&](std::uint64_t seed) {
-        const Case of = drawn(seed, 100, 600);
-        INFO(of.description());
+        const Case sample = random_case(seed, 100, 600);
+        INFO(sample.description());
         const auto& formulation = formulations<double>()[seed % formulations<double>().size()];
         CAPTURE(formulation.name);
         const auto displacement = [&] {
-            return static_test::displacement<double>(second_order, second_order, {of.line(), of.smoothing()},
-                                                     exact, 2);
+            return static_test::displacement<double>(second_order, second_order,
+                                                     {sample.line(), sample.smoothing()}, exact, 2);
         };
-        const auto alone = of.operators(formulation);
+        const auto alone = sample.operators(formulation);
         const Column<double> u = displacement();
         for (const int several : {2, 3}) {
             CAPTURE(several);
             const support::Threads together_on(several);
-            const auto together = of.operators(formulation);
+            const auto together = sample.operators(formulation);
             CHECK(same_bytes(alone.D, together.D));
             CHECK(same_bytes(alone.D2, together.D2));
             CHECK((displacement() == u).all());
