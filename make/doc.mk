@@ -6,7 +6,7 @@ check-doc: doc ## open every page of the walkthrough in a browser, and fail on w
 	@bash doc/check $(BUILD)/doc/html
 
 mathjax := /usr/share/javascript/mathjax
-walkthrough := $(wildcard doc/* paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
+walkthrough := doc/walkthrough.md $(filter-out %.md,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
 $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages

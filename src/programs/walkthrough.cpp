@@ -289,11 +289,11 @@ std::string tests_page(const std::vector<std::string>& files, const std::vector<
     return page;
 }
 
-/// The README's table: paper item, command, output, source, verdict.
+/// The table of doc/reproduction.md: paper item, command, output, source, verdict.
 std::string readme_table(const Table& items, const std::vector<Reproduction>& all) {
     std::string text = "| paper | command | output | source | claims |\n| --- | --- | --- | --- | --- |\n";
     const auto link = [](const std::string& path) {
-        return "[" + std::filesystem::path(path).filename().string() + "](" + path + ")";
+        return "[" + std::filesystem::path(path).filename().string() + "](../" + path + ")";
     };
     for (std::size_t row = 0; row < items.rows.size(); ++row) {
         const Reproduction* of = reproduction_of(items.word(row, "paper"), all);
@@ -315,7 +315,7 @@ std::string with_part(const std::string& text, const std::string& part) {
                       last = "<!-- end of the table -->";
     const std::size_t from = text.find(first), to = text.find(last);
     if (from == std::string::npos || to == std::string::npos)
-        throw FailedComputation("README.md has lost the marks of its table");
+        throw FailedComputation("doc/reproduction.md has lost the marks of its table");
     return text.substr(0, from + first.size()) + part + text.substr(to);
 }
 
@@ -323,17 +323,18 @@ std::string with_part(const std::string& text, const std::string& part) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Writes the generated pages of the walkthrough and the README's table, and checks that every "
+        "Writes the generated pages of the walkthrough and the table of doc/reproduction.md, and checks that "
+        "every "
         "equation has code and "
         "test. It runs in the top folder.",
         "walkthrough", "Example: walkthrough --pages build/doc/pages");
-    std::string pages, readme_file = "README.md";
+    std::string pages, readme_file = "doc/reproduction.md";
     bool write_readme = false, check_readme = false;
     app.add_option("--pages", pages, "folder to write the pages into").type_name("FOLDER");
-    app.add_option("--readme", readme_file, "the README to write or check (default README.md)")
+    app.add_option("--readme", readme_file, "the page to write or check (default doc/reproduction.md)")
         .type_name("FILE");
-    app.add_flag("--write-readme", write_readme, "write the table of README.md anew");
-    app.add_flag("--check-readme", check_readme, "fail if the table of README.md is stale");
+    app.add_flag("--write-readme", write_readme, "write the table of the page anew");
+    app.add_flag("--check-readme", check_readme, "fail if the table of the page is stale");
     return command_line::run(app, argc, argv, [&] {
         const Table equations = table_of("paper/equations.csv"), claims = table_of("paper/claims.csv");
         check_equations(equations);
@@ -355,7 +356,7 @@ int main(int argc, char** argv) {
         const std::string fresh = with_part(readme, readme_table(table_of("paper/items.csv"), all));
         if (write_readme && fresh != readme) report::write_whole(readme_file, fresh);
         if (check_readme && fresh != readme)
-            throw FailedComputation("the table of README.md is stale; run make claims");
+            throw FailedComputation("the table of doc/reproduction.md is stale; run make claims");
         return 0;
     });
 }

@@ -1,6 +1,6 @@
-"""Writes what was aimed at beside what was reached into the README, from the tables of the benchmarks.
+"""Writes the table of a page, doc/speed.md: targets beside what the benchmarks measured.
 
-Usage: targets.py DATA_FOLDER README
+Usage: targets.py DATA_FOLDER PAGE
 """
 
 import csv
@@ -18,7 +18,7 @@ def number(row, column):
     return float(row[column]) if row.get(column) else None
 
 
-folder, readme = map(pathlib.Path, sys.argv[1:])
+folder, page = map(pathlib.Path, sys.argv[1:])
 measured = {}
 for table in ("asprone2010", "batra2008"):
     for row in rows(folder / f"{table}.csv"):
@@ -26,7 +26,7 @@ for table in ("asprone2010", "batra2008"):
 
 
 def find(task, method, particles, threads):
-    """The row of so many particles, or nearly: plates have grids."""
+    """The row with this number of particles, or a number within a tenth of it, since plates have grids."""
     near = [key for key in measured if (key[0], key[1], key[3]) == (task, method, threads) and abs(key[2] / particles - 1) < 0.1]
     return measured[near[0]] if near else None
 
@@ -68,6 +68,6 @@ for weak in ("weak1", "weak2"):
     line(f"plate in all, {weak}, 10⁵, 2", "", "plate in all", weak, 10**5, 2, 1e-9, "s")
 
 begin, end = "<!-- the table of speed is written by make bench -->\n", "<!-- end of the table of speed -->"
-text = readme.read_text(encoding="utf-8")
+text = page.read_text(encoding="utf-8")
 table = begin + "\n".join(lines) + "\n" + end
-readme.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: table, text, flags=re.S), encoding="utf-8")
+page.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: table, text, flags=re.S), encoding="utf-8")

@@ -12,7 +12,7 @@ namespace {
 programs::Outcome in_changed_copy(const std::string& change, const std::string& options) {
     const programs::Folder folder;
     const std::string copy =
-        "cp -r paper src tests data README.md '" + folder.path + "' && cd '" + folder.path + "' && ";
+        "cp -r paper src tests data doc '" + folder.path + "' && cd '" + folder.path + "' && ";
     return run("sh -c \"" + copy + change + " && walkthrough " + options + "\"");
 }
 
@@ -49,7 +49,8 @@ struct TwoPapers : programs::Folder {
         write("src/second/section_2_1_basis.hpp", "/// \\defeq{B2.1}\n/// \\defeq{B2.10}\n");
         write("tests/first/sums_test.cpp", "TEST_CASE(\"sums: (2)\") {}\n");
         write("tests/second/basis_test.cpp", "TEST_CASE(\"basis: (2.1), (2.10) and (2)\") {}\n");
-        write("README.md", "<!-- the table below is written by make claims -->\n<!-- end of the table -->\n");
+        write("doc/reproduction.md",
+              "<!-- the table below is written by make claims -->\n<!-- end of the table -->\n");
     }
 
     void write(const std::string& file, const std::string& text) const {
@@ -112,16 +113,16 @@ TEST_CASE("walkthrough: a claim without a verdict is red") {
     CHECK(errors.find("has no verdict yet; run make claims") != std::string::npos);
 }
 
-TEST_CASE("walkthrough: a stale table in the README is found, and written anew") {
-    const std::string stale = "sed -i 's/ reproduced/ refuted/' README.md";
+TEST_CASE("walkthrough: a stale table of the pages is found, and written anew") {
+    const std::string stale = "sed -i 's/ reproduced/ refuted/' doc/reproduction.md";
     CHECK(in_changed_copy("true", "--check-readme").code == 0);
     const auto found = in_changed_copy(stale, "--check-readme");
     CHECK(found.code == 1);
-    CHECK(found.errors.find("the table of README.md is stale; run make claims") != std::string::npos);
+    CHECK(found.errors.find("the table of doc/reproduction.md is stale") != std::string::npos);
     CHECK(in_changed_copy(stale, "--write-readme && walkthrough --check-readme").code == 0);
 }
 
-TEST_CASE("walkthrough: pages and README are divided by paper, though sections have equal numbers") {
+TEST_CASE("walkthrough: pages and table are divided by paper, though sections have equal numbers") {
     const TwoPapers project;
     const auto [code, output, errors] = project.walkthrough();
     CHECK(errors.empty());
@@ -136,7 +137,8 @@ TEST_CASE("walkthrough: pages and README are divided by paper, though sections h
          "### Section 2: 1 of 1 reproduced", "| equal | partition |", "| 0.5 | 0.25 |", "## Second (1902)",
          "### Section 2: 0 of 1 reproduced, 1 differs", "| dn | nd |", "| 1.5 | 1.25 |"}));
     CHECK(in_order(project.read("pages/choices.md"), {"## Second (1902)", "companion_second", "### error"}));
-    CHECK(in_order(project.read("README.md"), {"| Sums |", "1 of 1 reproduced", "| Basis |", "1 differs"}));
+    CHECK(in_order(project.read("doc/reproduction.md"),
+                   {"| Sums |", "1 of 1 reproduced", "| Basis |", "1 differs"}));
     for (const char* page : {"equations", "claims", "choices"})
         CHECK(project.read(std::string("pages/") + page + ".md").find("Third") == std::string::npos);
 }
