@@ -6,7 +6,7 @@
 verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare the computed data with the committed, see that figures are whole
 	@bash tests/verify $(BUILD) $(tables) $(figures)
 
-check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: nothing half-made may look finished
+check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: no unfinished file may look finished
 	@bash tests/interrupts $(BUILD)
 
 check-environments: build ## try a decimal comma, missing packages, a path with blanks, a full disk, a read-only tree
@@ -39,11 +39,11 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 	touch $@
 
 # The tests of the sections are compiled again for each mutant, by clang++ in half of g++'s time.
-mutable := $(addprefix $(BUILD)/mutants/,tests/main.o tests/batra2008/bases.o \
-           $(patsubst %.cpp,%.o,$(wildcard $(papers:%=tests/%/section_*_test.cpp) tests/asprone2010/limit_stencils_test.cpp src/report/*.cpp \
-             src/asprone2010/formulations.cpp src/base/*.cpp src/particles/*.cpp src/solvers/*.cpp src/batra2008/section_4_example_problems.cpp)))
+mutated := $(shell sed -nE 's|^([a-z0-9_/]+)\.[ch]pp$$|\1|p' tests/mutants.txt)
+mutable := $(filter-out %_test.o,$(tests)) $(mutated:%=$(BUILD)/tests/%_test.o) $(method_objects) $(call objects_in,src/report/%)
 mutants-build:
-	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" $(mutable)
+	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" \
+	    $(mutable:$(BUILD)/%=$(BUILD)/mutants/%)
 mutants: mutants-build ## break the formulas of the sections on purpose, one at a time: their tests must fail
 	@bash tests/mutants $(BUILD)/mutants
 
