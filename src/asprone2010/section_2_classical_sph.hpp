@@ -4,8 +4,8 @@
 #include "particles/neighbourhood.hpp"
 #include "particles/operators.hpp"
 
-/// Asprone, Auricchio, Manfredi, Prota, Reali, Sangalli (2010), *Particle Methods for a 1D Elastic Model Problem: Error
-/// Analysis and Development of a Second-Order Accurate Formulation*, CMES 62(1), 1–21.
+/// Asprone, Auricchio, Manfredi, Prota, Reali, Sangalli (2010), *Particle Methods for a 1D Elastic Model
+/// Problem: Error Analysis and Development of a Second-Order Accurate Formulation*, CMES 62(1), 1–21.
 namespace asprone2010 {
 
 using particles::CentredKernel;
@@ -19,11 +19,13 @@ using particles::Line;
 using particles::Neighbourhood;
 using particles::nonzero_sum;
 using particles::Operator;
+using particles::product;
 
 /// Section 2, classical SPH: from Dirac's delta to a sum over particles, in two approximation steps.
 ///
-/// The kernel must be non-negative, of unit integral, smooth and of compact support; the Gaussian breaks the last
-/// condition and is cut where it is negligible. particles/kernels.hpp has the kernels, each in units of h.
+/// The kernel must be non-negative, of unit integral, smooth and of compact support; the Gaussian breaks the
+/// last condition and is cut where it is negligible. particles/kernels.hpp has the kernels, each with
+/// h = 1.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
@@ -34,11 +36,11 @@ using particles::Operator;
 /// | \f$\Delta\Omega_j\f$ | `V` | subdomain of a particle, and its measure |
 /// | \f$h,\ \delta\f$ | `h`, `spacing` | smoothing length, distance between particles |
 ///
-/// Departures from the print: it calls the support's diameter the smoothing length h, yet Section 5 sets h to the particle
-/// spacing δ, with which a support of diameter h would hold no neighbour. Here h is the Gaussian's length in
-/// \f$e^{-((x-x_i)/h)^2}\f$, and the support's radius is a property of the kernel. And \eq{A3} asks
-/// for volumes that tile Ω (`partition`); the tests of Section 5 take δ for every particle by default (`equal`), for reasons
-/// that \ref asprone2010::numerical_tests gives.
+/// Departures from the print: it calls the diameter of the support the smoothing length h, yet Section 5 sets
+/// h to the particle spacing δ, and a support of diameter δ holds no neighbour. Here h is the Gaussian's
+/// length in \f$e^{-((x-x_i)/h)^2}\f$, and the radius of the support is a property of the kernel. And \eq{A3}
+/// asks for volumes that tile Ω (`partition`); the tests of Section 5 take δ for every particle by default
+/// (`equal`), for the reasons in \ref asprone2010::numerical_tests.
 ///
 /// What this section claims, and what was measured: \claims{A-2}.
 namespace classical_sph {
@@ -58,7 +60,8 @@ inline double value(const Function& B, const CentredKernel& W_i) {
 
 /// The domain is divided among the particles: bounds of their subdomains, N + 1 numbers. \defeq{A3}
 /// \f[ \bigcup_{j=1}^N \Delta\Omega_j = \Omega \tag{3} \f]
-/// The print does not say where the bounds lie: here they are the midpoints between particles and the ends of Ω.
+/// The print does not say where the bounds lie: here they are the midpoints between particles and both
+/// ends of Ω.
 template <class Scalar>
 Column<Scalar> subdomain_bounds(const Line<Scalar>& line) {
     return particles::cell_bounds(line.x());

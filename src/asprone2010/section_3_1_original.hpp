@@ -6,8 +6,9 @@ namespace asprone2010 {
 
 /// Section 3.1, the original formulation (Gingold and Monaghan): the derivative is moved onto the kernel.
 ///
-/// Inside the domain the boundary term of \eq{A6} is negligible and \eq{A7} is a fair approximation. Near the boundary it is
-/// not; \eq{A10} repairs constants, and constants only: at an end, \eq{A11} reaches half the derivative whatever δ is.
+/// Inside the domain the boundary term of \eq{A6} is negligible and \eq{A7} is a fair approximation. Near the
+/// boundary it is not. \eq{A10} is exact on constants, and on constants only: at an end, \eq{A11} gives
+/// half the derivative for every δ.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
@@ -25,7 +26,8 @@ inline double smoothed_derivative(const Function& DB, const CentredKernel& W_i) 
 }
 
 /// By parts, with the values at both ends of Ω. \defeq{A6}
-/// \f[ DB(x_i) \cong \int_{\partial\Omega} B(x)\,W_i(x)\,n\,dS - \int_\Omega B(x)\,DW_i(x)\,d\Omega \tag{6} \f]
+/// \f[ DB(x_i) \cong \int_{\partial\Omega} B(x)\,W_i(x)\,n\,dS
+///     - \int_\Omega B(x)\,DW_i(x)\,d\Omega \tag{6} \f]
 inline double derivative_by_parts(const Function& B, const CentredKernel& W_i) {
     const auto& [a, b] = W_i.Omega;
     const double boundary = B(b) * W_i.W(b) - B(a) * W_i.W(a);
@@ -47,7 +49,8 @@ Column<Scalar> interior_derivative(const Neighbourhood<Scalar>& near) {
     return -DW * V;
 }
 
-/// What \eq{A7} needs to be exact on constants; it holds where \f$W_i\f$ vanishes on the boundary. \defeq{A9}
+/// The condition under which \eq{A7} is exact on constants; it holds where \f$W_i\f$ vanishes on the
+/// boundary. \defeq{A9}
 /// \f[ \int_\Omega DW_i = 0 \tag{9} \f]
 /// \return the integral [1/length]; it equals \f$W_i\f$ at the last end of Ω minus \f$W_i\f$ at the first
 inline double total_derivative(const CentredKernel& W_i) {
@@ -70,12 +73,13 @@ Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     return -DW * V;
 }
 
-/// The second derivative: the first applied twice. \defeq{A12}
+/// The second derivative: \eq{A11} with DB in the place of B. For all particles that is the product
+/// \f$D^2 = D\,D\f$. \defeq{A12}
 /// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DW_i(x_j)\,\Delta\Omega_j \tag{12} \f]
 /// \param D the operator of \eq{A11} for all particles
 template <class Scalar>
 Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
-    return particles::applied_twice(D);
+    return product(D, D);
 }
 
 }  // namespace original

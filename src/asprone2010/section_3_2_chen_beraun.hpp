@@ -6,19 +6,20 @@ namespace asprone2010 {
 
 /// Section 3.2, Chen and Beraun: Taylor's expansion, weighted with the kernel and integrated.
 ///
-/// The first-order expansion against \f$DW_i\f$ gives DB, the second-order one against \f$W_i\f$ gives D²B, which takes DB
-/// from the former.
+/// The first-order expansion against \f$DW_i\f$ gives DB, the second-order one against \f$W_i\f$ gives D²B,
+/// which takes DB from the former.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$DB(x_i),\ D^2B(x_i)\f$ | `DB_i`, `D2B_i` | derivatives at the particle, exact or approximated |
-/// | \f$e\f$ | `first_remainder`, `second_remainder` | what the truncated expansion leaves of a projection |
+/// | \f$e\f$ | `first_remainder`, `second_remainder` | remainders of the truncated expansion |
 /// | \f$\|W_i\|_{L^1}\f$ | `W_i.norm(W_i.W)` | norm of the kernel |
 ///
-/// Departures from the print: \eq{A14} puts the error e on its right-hand side, so that DB is the quotient *minus* e over the
-/// denominator; \eq{A15} and \eq{A19} print plus. Here both stand without e, as they are used, and the equality signs of
-/// \eq{A15}, \eq{A19} and \eq{A20} are approximate. And \eq{A20} errs by O(h) at the boundary only if DB errs by no more than
-/// O(h²) there: with DB from \eq{A16}, whose error is O(h) and is divided by h, D²B errs by a constant.
+/// Departures from the print: \eq{A14} has the error e on its right-hand side, so that DB is the quotient
+/// *minus* e over the denominator; \eq{A15} and \eq{A19} print plus. Here both equations stand without e, as
+/// they are used, and the equality signs of \eq{A15}, \eq{A19} and \eq{A20} are approximate. And the error of
+/// \eq{A20} at the boundary is O(h) only if that of DB is O(h²): with DB from \eq{A16}, whose error O(h) is
+/// divided by h, the error of D²B is a constant.
 ///
 /// What this section claims, and what was measured: \claims{A-3.2}.
 namespace chen_beraun {
@@ -31,8 +32,8 @@ inline double expansion(double B_i, double DB_i, double r) {
 }
 
 /// The expansion against \f$DW_i\f$: its remainder e, of size \f$\|DW_i\|_{L^1} O(h^2)\f$. \defeq{A14}
-/// \f[ \int_\Omega B\,DW_i\,d\Omega = B(x_i)\int_\Omega DW_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,DW_i\,d\Omega + e
-///     \tag{14} \f]
+/// \f[ \int_\Omega B\,DW_i\,d\Omega = B(x_i)\int_\Omega DW_i\,d\Omega
+///     + DB(x_i)\int_\Omega (x-x_i)\,DW_i\,d\Omega + e \tag{14} \f]
 /// \param DB_i the exact derivative at \f$x_i\f$
 inline double first_remainder(const Function& B, double DB_i, const CentredKernel& W_i) {
     const double projected = W_i.integral([&](double x) { return B(x) * W_i.DW(x); });
@@ -66,7 +67,8 @@ inline double expansion(double B_i, double DB_i, double D2B_i, double r) {
 }
 
 /// The expansion against \f$W_i\f$: its remainder e, of size \f$\|W_i\|_{L^1} O(h^3)\f$. \defeq{A18}
-/// \f[ \int_\Omega B\,W_i\,d\Omega = B(x_i)\int_\Omega W_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega
+/// \f[ \int_\Omega B\,W_i\,d\Omega = B(x_i)\int_\Omega W_i\,d\Omega
+///     + DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega
 ///     + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,W_i\,d\Omega + e \tag{18} \f]
 inline double second_remainder(const Function& B, double DB_i, double D2B_i, const CentredKernel& W_i) {
     const auto& W = W_i.W;
@@ -75,7 +77,8 @@ inline double second_remainder(const Function& B, double DB_i, double D2B_i, con
 }
 
 /// Solved for the second derivative, e neglected. \defeq{A19}
-/// \f[ D^2B(x_i) \cong \frac{\int_\Omega (B(x)-B(x_i))\,W_i(x)\,d\Omega - DB(x_i)\int_\Omega (x-x_i)\,W_i(x)\,d\Omega}
+/// \f[ D^2B(x_i) \cong \frac{\int_\Omega (B(x)-B(x_i))\,W_i(x)\,d\Omega
+///                           - DB(x_i)\int_\Omega (x-x_i)\,W_i(x)\,d\Omega}
 ///                          {\frac12\int_\Omega (x-x_i)^2\,W_i(x)\,d\Omega} \tag{19} \f]
 /// \param DB_i the first derivative at \f$x_i\f$, exact or from \eq{A15}
 inline double second_derivative(const Function& B, double DB_i, const CentredKernel& W_i) {
@@ -87,7 +90,8 @@ inline double second_derivative(const Function& B, double DB_i, const CentredKer
 /// \f[ D^2B(x_i) \cong \frac{\sum_j (B(x_j)-B(x_i))\,W_i(x_j)\,\Delta\Omega_j
 ///                           - DB(x_i)\sum_j (x_j-x_i)\,W_i(x_j)\,\Delta\Omega_j}
 ///                          {\frac12\sum_j (x_j-x_i)^2\,W_i(x_j)\,\Delta\Omega_j} \tag{20} \f]
-/// \param D weights of \f$DB(x_i)\f$ on \f$B(x_j) - B(x_i)\f$ [1/h]; zeros leave what multiplies an exact DB aside
+/// \param D weights of \f$DB(x_i)\f$ on \f$B(x_j) - B(x_i)\f$ [1/h]; zeros give the weights without the term
+///        of DB
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h²]
 /// \throws SingularNeighbourhood where the second moment vanishes
 template <class Scalar>

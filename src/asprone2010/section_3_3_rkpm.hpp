@@ -10,9 +10,9 @@ namespace asprone2010 {
 
 /// Section 3.3, the reproducing kernel particle method: a polynomial corrects the kernel's moments.
 ///
-/// Of the corrected kernel \f$K_i = C_i W_i\f$ the zeroth moment is one and the higher ones, up to the order, are zero. The
-/// conditions are imposed in the discrete setting for the sums and by quadrature for the integrals; both solve
-/// \f$M c = e_0\f$ with \f$M_{kl}\f$ the (k+l)-th moment of \f$W_i\f$.
+/// The zeroth moment of the corrected kernel \f$K_i = C_i W_i\f$ is one; the higher moments, up to the order,
+/// are zero. The discrete forms take moments as sums over particles, the integral forms by quadrature; both
+/// solve \f$M c = e_0\f$ with \f$M_{kl}\f$ the (k+l)-th moment of \f$W_i\f$.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
@@ -20,9 +20,10 @@ namespace asprone2010 {
 /// | \f$a_i, b_i, c_i\f$ | `c[0], c[1], c[2]` | its coefficients |
 /// | \f$K_i,\ DK_i\f$ | `K`, `DK` | corrected kernel and its derivative |
 ///
-/// Departures from the print: \f$C_i\f$ is written in the scaled offset, which changes the coefficients and not \f$K_i\f$.
-/// The moments are imposed on the sums where sums are taken; the print imposes them on integrals here, and on sums in
-/// Section 4 only. For the second order this choice has a large effect, which \ref choices measures.
+/// Departures from the print: \f$C_i\f$ is a polynomial of the scaled offset, which changes its coefficients
+/// and not \f$K_i\f$. In the discrete forms the moments are sums; the print imposes moments of integrals
+/// here, and of sums in Section 4 only. For the second order this choice has a large effect, which \ref
+/// choices measures.
 ///
 /// What this section claims, and what was measured: \claims{A-3.3}.
 namespace rkpm {
@@ -45,8 +46,8 @@ Scalar power(const Scalar& s) {
         return power<n - 1>(s) * s;
 }
 
-/// The correction polynomial, here with any set of exponents: 0, 1 for the first order, 0, 1, 2 for the second.
-/// \defeq{A23}
+/// The correction polynomial, here with any set of exponents: 0, 1 for the first order and 0, 1, 2 for the
+/// second. \defeq{A23}
 /// \f[ C_i(x) = a_i + b_i (x - x_i) + c_i (x - x_i)^2 + \dots \tag{23} \f]
 /// \tparam p the exponents
 /// \param c the coefficients, one for each exponent
@@ -80,7 +81,8 @@ Eigen::Matrix<Scalar, sizeof...(p), sizeof...(p)> moment_matrix(const Moment& mo
     return M;
 }
 
-/// The coefficients with which the p-th moments of \f$K_i\f$ become 1, 0, 0, …: the first column of \f$M^{-1}\f$.
+/// The coefficients with which the p-th moments of \f$K_i\f$ become 1, 0, 0, …: the first column of
+/// \f$M^{-1}\f$.
 /// \param moment a function of k: the k-th moment of the kernel in units of h
 /// \throws SingularNeighbourhood where the particles do not determine the coefficients
 template <class Scalar, int... p, class Moment>
@@ -104,29 +106,38 @@ CentredKernel corrected(const CentredKernel& W_i) {
     return K_i;
 }
 
-/// The corrected kernel at the particles: a neighbourhood with K and DK in the place of W and DW, the moments imposed on
-/// its sums.
+/// \f$m_k = \sum_j r_j^k\,W_i(x_j)\,\Delta\Omega_j\f$ for k = 0 … n, in units of h.
+template <int n, class Scalar>
+std::array<Scalar, n + 1> moments(const Neighbourhood<Scalar>& near) {
+    const auto& [r, W, DW, V] = near;
+    std::array<Scalar, n + 1> m{};
+    for (Index j = 0; j < r.size(); ++j) {
+        Scalar term = W[j] * V[j];
+        for (Scalar& m_k : m) {
+            m_k += term;
+            term *= r[j];
+        }
+    }
+    return m;
+}
+
+/// The corrected kernel at the particles: a neighbourhood with K and DK in the place of W and DW. The moments
+/// are those of its sums.
 /// \throws SingularNeighbourhood where the particles do not determine \f$C_i\f$
 template <int... p, class Scalar>
 Neighbourhood<Scalar> corrected(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
-    std::array<Scalar, 2 * std::max({p...}) + 1> moments{};
-    for (Index j = 0; j < r.size(); ++j) {
-        Scalar term = W[j] * V[j];
-        for (Scalar& moment : moments) {
-            moment += term;
-            term *= r[j];
-        }
-    }
+    const auto m = moments<2 * std::max({p...})>(near);
     const auto c =
-        correction_coefficients<Scalar, p...>([&](int k) { return moments[static_cast<std::size_t>(k)]; });
+        correction_coefficients<Scalar, p...>([&](int k) { return m[static_cast<std::size_t>(k)]; });
     const Column<Scalar> C = r.unaryExpr([&](const Scalar& s) { return correction<p...>(c, s); });
     const Column<Scalar> DC = r.unaryExpr([&](const Scalar& s) { return correction_derivative<p...>(c, s); });
     return {r, C * W, DC * W + C * DW, V};
 }
 
 /// Taylor's expansion against \f$K_i\f$, up to the second derivative: what \eq{A21} represents. \defeq{A24}
-/// \f[ \int_\Omega B\,K_i\,d\Omega = B(x_i)\int_\Omega K_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,K_i\,d\Omega
+/// \f[ \int_\Omega B\,K_i\,d\Omega = B(x_i)\int_\Omega K_i\,d\Omega
+///     + DB(x_i)\int_\Omega (x-x_i)\,K_i\,d\Omega
 ///     + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,K_i\,d\Omega + \dots \tag{24} \f]
 inline double expanded_value(double B_i, double DB_i, double D2B_i, const CentredKernel& K_i) {
     const auto& K = K_i.W;
@@ -152,12 +163,12 @@ Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     return -DK * V;
 }
 
-/// Second derivative: the first applied twice, as \eq{A12}. \defeq{A26}
+/// Second derivative: \eq{A25} with DB in the place of B, \f$D^2 = D\,D\f$ as in \eq{A12}. \defeq{A26}
 /// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DK_i(x_j)\,\Delta\Omega_j \tag{26} \f]
 /// \param D the operator of \eq{A25} for all particles
 template <class Scalar>
 Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
-    return particles::applied_twice(D);
+    return product(D, D);
 }
 
 }  // namespace rkpm

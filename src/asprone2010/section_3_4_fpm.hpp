@@ -6,21 +6,24 @@ namespace asprone2010 {
 
 /// Section 3.4, the finite particle method: Taylor's expansion projected on \f$W_i\f$ and \f$DW_i\f$.
 ///
-/// Two projections of the first-order expansion give a linear system for the value and the derivative at \f$x_i\f$.
+/// Two projections of the first-order expansion give a linear system for the value and the derivative at
+/// \f$x_i\f$.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$A\f$ | `matrix` | moments of \f$W_i\f$ and \f$DW_i\f$ |
-/// | \f$e'_1, e'_2\f$ | `remainders` | what the truncated expansion leaves |
+/// | \f$e'_1, e'_2\f$ | `remainders` | remainders of the truncated expansion |
 ///
-/// Departures from the print: \eq{A27}, \eq{A28}, \eq{A30} and \eq{A31} add the remainders to the projections of B. With the remainders as what
-/// the expansion leaves of B (as in \eq{A14}) they are subtracted; orders are not affected.
-/// \eq{A32} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
+/// Departures from the print: \eq{A27}, \eq{A28}, \eq{A30} and \eq{A31} add the remainders to the projections
+/// of B. Where a remainder is the projection of B minus that of its expansion, as in \eq{A14}, it is
+/// subtracted; orders do not change. \eq{A32} stands without its middle lines, which factor the norms and the
+/// powers of h out of A; the code computes the first line.
 ///
 /// What this section claims, and what was measured: \claims{A-3.4}.
 namespace fpm {
 
-/// Expansion against \f$W_i\f$; the remainder \f$e'_1\f$ is the projection of B minus the left-hand side. \defeq{A27}
+/// Expansion against \f$W_i\f$; the remainder \f$e'_1\f$ is the projection of B minus the left-hand side.
+/// \defeq{A27}
 /// \f[ B(x_i)\int_\Omega W_i\,d\Omega + DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega
 ///     = \int_\Omega B\,W_i\,d\Omega - e'_1 \tag{27} \f]
 inline double first_remainder(const Function& B, double DB_i, const CentredKernel& W_i) {
@@ -83,17 +86,18 @@ ValueAndDerivative<Scalar> value_and_derivative(const Neighbourhood<Scalar>& nea
             (A_inverse(1, 0) * W + A_inverse(1, 1) * DW) * V};
 }
 
-/// The first derivative of this formulation. The second row of \eq{A30} annihilates constants, so that its weights serve
-/// differences as well.
+/// The first derivative of this formulation. The second row of \eq{A30} annihilates constants, so that its
+/// weights serve differences as well.
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h]
 template <class Scalar>
 Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     return value_and_derivative(near).first;
 }
 
-/// Far from the boundary \f$A_{12} = A_{21} = 0\f$, and the system falls apart. \defeq{A31}
+/// Far from the boundary \f$A_{12} = A_{21} = 0\f$, and the two equations decouple. \defeq{A31}
 /// \f[ \begin{bmatrix} B(x_i) \\ DB(x_i) \end{bmatrix}
-///     = \begin{bmatrix} \int_\Omega B\,W_i\,d\Omega / A_{11} \\ \int_\Omega B\,DW_i\,d\Omega / A_{22} \end{bmatrix}
+///     = \begin{bmatrix} \int_\Omega B\,W_i\,d\Omega / A_{11}
+///                       \\ \int_\Omega B\,DW_i\,d\Omega / A_{22} \end{bmatrix}
 ///     - \begin{bmatrix} e'_1/A_{11} \\ e'_2/A_{22} \end{bmatrix} \tag{31} \f]
 inline Eigen::Vector2d interior_value_and_derivative(const Function& B, const CentredKernel& W_i) {
     const Eigen::Matrix2d A = matrix(W_i);
@@ -101,8 +105,8 @@ inline Eigen::Vector2d interior_value_and_derivative(const Function& B, const Ce
             W_i.integral([&](double x) { return B(x) * W_i.DW(x); }) / A(1, 1)};
 }
 
-/// Error of \eq{A30} without remainders, computed minus exact: O(h²) for B everywhere, for DB O(h²) inside and O(h) at the
-/// boundary. \defeq{A32}
+/// Error of \eq{A30} without remainders, computed minus exact: O(h²) for B everywhere, for DB O(h²) inside
+/// and O(h) at the boundary. \defeq{A32}
 /// \f[ \begin{bmatrix} A_{11} & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
 ///     \begin{bmatrix} e'_1 \\ e'_2 \end{bmatrix} = \begin{bmatrix} O(h^2) \\ O(h) \end{bmatrix} \tag{32} \f]
 inline Eigen::Vector2d error(const Function& B, double DB_i, const CentredKernel& W_i) {
@@ -110,11 +114,11 @@ inline Eigen::Vector2d error(const Function& B, double DB_i, const CentredKernel
            Eigen::Vector2d{first_remainder(B, DB_i, W_i), second_remainder(B, DB_i, W_i)};
 }
 
-/// The second derivative, the procedure reiterated: it does not converge at the boundary.
+/// The second derivative, the procedure reiterated: \f$D^2 = D\,D\f$ does not converge at the boundary.
 /// \param D the operator of \eq{A30} for all particles
 template <class Scalar>
 Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
-    return particles::applied_twice(D);
+    return product(D, D);
 }
 
 }  // namespace fpm

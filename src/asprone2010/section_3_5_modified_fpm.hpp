@@ -6,15 +6,15 @@ namespace asprone2010 {
 
 /// Section 3.5, the modified finite particle method: both derivatives at once, from known values.
 ///
-/// Where \f$B(x_i)\f$ is no unknown, the two projections of the second-order expansion determine DB and D²B.
+/// Where \f$B(x_i)\f$ is known, the two projections of the second-order expansion determine DB and D²B.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$A\f$ | `matrix` | first moments and half second moments of \f$W_i\f$ and \f$DW_i\f$ |
-/// | \f$e''_1, e''_2\f$ | `first_remainder`, `second_remainder` | what the truncated expansion leaves |
+/// | \f$e''_1, e''_2\f$ | `first_remainder`, `second_remainder` | remainders of the truncated expansion |
 ///
-/// Departures from the print: the remainders are subtracted, as in Section 3.4.
-/// \eq{A38} stands without its middle lines, in which the norms and the powers of h are taken out of A; the code has its first line.
+/// Departures from the print: the remainders are subtracted, as in Section 3.4. \eq{A38} stands without its
+/// middle lines, which factor the norms and the powers of h out of A; the code computes the first line.
 ///
 /// What this section claims, and what was measured: \claims{A-3.5}.
 namespace modified_fpm {
@@ -38,7 +38,8 @@ inline double second_remainder(const Function& B, double DB_i, double D2B_i, con
 /// The matrix, by quadrature. \defeq{A35}
 /// \f[ \begin{aligned}
 ///     A_{11} &= \int_\Omega (x-x_i)\,W_i\,d\Omega, & A_{12} &= \tfrac12\int_\Omega (x-x_i)^2\,W_i\,d\Omega,
-///     \\ A_{21} &= \int_\Omega (x-x_i)\,DW_i\,d\Omega, & A_{22} &= \tfrac12\int_\Omega (x-x_i)^2\,DW_i\,d\Omega
+///     \\ A_{21} &= \int_\Omega (x-x_i)\,DW_i\,d\Omega,
+///     & A_{22} &= \tfrac12\int_\Omega (x-x_i)^2\,DW_i\,d\Omega
 ///     \end{aligned} \tag{35} \f]
 inline Eigen::Matrix2d matrix(const CentredKernel& W_i) {
     return Eigen::Matrix2d{{W_i.moment(1, W_i.W), W_i.moment(2, W_i.W) / 2},
@@ -77,7 +78,7 @@ Derivatives<Scalar> derivatives(const Neighbourhood<Scalar>& near) {
             (A_inverse(1, 0) * W + A_inverse(1, 1) * DW) * V};
 }
 
-/// Far from the boundary \f$A_{11} = A_{22} = 0\f$, and the system falls apart. \defeq{A37}
+/// Far from the boundary \f$A_{11} = A_{22} = 0\f$, and the two equations decouple. \defeq{A37}
 /// \f[ \begin{bmatrix} DB(x_i) \\ D^2B(x_i) \end{bmatrix}
 ///     = \begin{bmatrix} \int_\Omega [B(x)-B(x_i)]\,DW_i\,d\Omega / A_{21}
 ///                       \\ \int_\Omega [B(x)-B(x_i)]\,W_i\,d\Omega / A_{12} \end{bmatrix}
@@ -88,10 +89,11 @@ inline Eigen::Vector2d interior_derivatives(const Function& B, const CentredKern
             W_i.integral([&](double x) { return (B(x) - B(W_i.x)) * W_i.W(x); }) / A(0, 1)};
 }
 
-/// Error of \eq{A36} without remainders, computed minus exact: at the boundary O(h²) for DB and O(h) for D²B, inside O(h²) for
-/// both. \defeq{A38}
+/// Error of \eq{A36} without remainders, computed minus exact: at the boundary O(h²) for DB and O(h) for D²B,
+/// inside O(h²) for both. \defeq{A38}
 /// \f[ \begin{bmatrix} A_{11} & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
-///     \begin{bmatrix} e''_1 \\ e''_2 \end{bmatrix} = \begin{bmatrix} O(h^2) \\ O(h) \end{bmatrix} \tag{38} \f]
+///     \begin{bmatrix} e''_1 \\ e''_2 \end{bmatrix}
+///     = \begin{bmatrix} O(h^2) \\ O(h) \end{bmatrix} \tag{38} \f]
 inline Eigen::Vector2d error(const Function& B, double DB_i, double D2B_i, const CentredKernel& W_i) {
     return inverse(matrix(W_i)) *
            Eigen::Vector2d{first_remainder(B, DB_i, D2B_i, W_i), second_remainder(B, DB_i, D2B_i, W_i)};

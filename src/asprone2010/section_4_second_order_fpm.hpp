@@ -1,44 +1,91 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "asprone2010/section_3_3_rkpm.hpp"
 #include "asprone2010/section_3_5_modified_fpm.hpp"
 
 namespace asprone2010 {
 
-/// Section 4, the novel second-order FPM: the modified FPM with a kernel whose first and third moments vanish.
+/// Section 4, the novel second-order FPM: the modified FPM with a kernel whose first and third moments
+/// vanish.
 ///
-/// The projection is that of Section 3.5, the correction of the kernel that of Section 3.3 with other exponents: a cubic
-/// without its quadratic term. Inside, where the odd moments of \f$W_i\f$ vanish by themselves, a quadratic polynomial
-/// would leave two conditions that say the same; the cubic does not.
+/// The projection is that of Section 3.5. The correction of the kernel is that of Section 3.3 with other
+/// exponents: a cubic without quadratic term. A quadratic polynomial would not do: inside, the odd moments of
+/// \f$W_i\f$ vanish, and two of the conditions would be the same.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
-/// | \f$a, b, c\f$ | `c[2], c[1], c[0]` | coefficients of the correction polynomial |
+/// | \f$C_i\f$ | `Cubic` | correction polynomial |
+/// | \f$a, b, c\f$ | `a, b, c` | its coefficients |
 /// | \f$K_i,\ DK_i\f$ | `K_i.W`, `K_i.DW` | corrected kernel and its derivative |
-/// | \f$e'''_1, e'''_2\f$ | `modified_fpm::first_remainder(…, K_i)` … | what the truncated expansion leaves |
+/// | \f$e'''_1, e'''_2\f$ | `modified_fpm::first_remainder(…, K_i)` … | the remainders |
 ///
-/// Departures from the print: far from the boundary \f$K_i\f$ is \f$W_i\f$ divided by its discrete integral, which on the
-/// uniform lattice with h = δ is 1.0001 and not 1. The factor cancels in \eq{A43}.
-/// \eq{A44} stands without its middle lines, in which the norms and the powers of h are taken out of A; the inverse
-/// is written with A in the place of the constants C.
+/// Departures from the print: far from the boundary \f$K_i\f$ is \f$W_i\f$ divided by its discrete integral,
+/// which on the uniform lattice with h = δ is 1.0001 and not 1. The factor cancels in \eq{A43}. \eq{A44}
+/// stands without its middle lines, which factor the norms and the powers of h out of A; the inverse has the
+/// entries of A in the place of the constants C.
 ///
 /// What this section claims, and what was measured: \claims{A-4}.
 namespace second_order_fpm {
 
-/// The corrected kernel, for the integral forms; its coefficients a, b, c follow from \eq{A41}. \defeq{A39}
+/// The corrected kernel, for the integral forms. \defeq{A39}
 /// \f[ K_i(x) = C_i(x) \cdot W_i(x) \tag{39} \f]
-/// The polynomial has the exponents 0, 1 and 3 of the scaled offset. \defeq{A40}
-/// \f[ C_i(x) = a\Big(\frac{x-x_i}{h}\Big)^3 + b\,\frac{x-x_i}{h} + c \tag{40} \f]
-inline CentredKernel corrected(const CentredKernel& W_i) {
-    return rkpm::corrected<0, 1, 3>(W_i);
+/// \param C_i the correction polynomial and its derivative as functions of the scaled offset
+template <class Polynomial>
+CentredKernel corrected(const CentredKernel& W_i, const Polynomial& C_i) {
+    const auto s = [W_i](double x) { return (x - W_i.x) / W_i.h; };
+    CentredKernel K_i = W_i;
+    K_i.W = [=](double x) { return C_i(s(x)) * W_i.W(x); };
+    K_i.DW = [=](double x) { return C_i.derivative(s(x)) / W_i.h * W_i.W(x) + C_i(s(x)) * W_i.DW(x); };
+    return K_i;
 }
 
-/// The three moments that the coefficients a, b, c are determined by; of \f$K_i\f$ they must be 1, 0 and 0. \defeq{A41}
+/// The correction polynomial, a cubic of the scaled offset without quadratic term. \defeq{A40}
+/// \f[ C_i(x) = a\Big(\frac{x-x_i}{h}\Big)^3 + b\,\frac{x-x_i}{h} + c \tag{40} \f]
+template <class Scalar>
+struct Cubic {
+    Scalar a, b, c;
+
+    /// \param s scaled offset \f$(x - x_i)/h\f$, a number or a column
+    template <class Offset>
+    Offset operator()(const Offset& s) const {
+        return c + b * s + a * (s * s * s);
+    }
+    /// \f$dC_i/ds\f$
+    template <class Offset>
+    Offset derivative(const Offset& s) const {
+        return b + 3 * a * (s * s);
+    }
+};
+
+/// The three moments that determine the coefficients a, b, c: of \f$K_i\f$ they must be 1, 0 and 0.
+/// \defeq{A41}
 /// \f[ \int_\Omega K_i\,d\Omega = 1, \qquad \int_\Omega (x-x_i)\,K_i\,d\Omega = 0, \qquad
 ///     \int_\Omega (x-x_i)^3\,K_i\,d\Omega = 0 \tag{41} \f]
 /// \return the moments of order 0, 1 and 3 [1, length, length³]
 inline Eigen::Vector3d imposed_moments(const CentredKernel& K_i) {
     return {K_i.moment(0, K_i.W), K_i.moment(1, K_i.W), K_i.moment(3, K_i.W)};
+}
+
+/// The coefficients with which \eq{A41}, or \eq{A42}, holds:
+/// \f[ \begin{bmatrix} m_0 & m_1 & m_3 \\ m_1 & m_2 & m_4 \\ m_3 & m_4 & m_6 \end{bmatrix}
+///     \begin{bmatrix} c \\ b \\ a \end{bmatrix} = \begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix} \f]
+/// \param m moments of \f$W_i\f$ of order 0 to 6, in units of h
+/// \throws SingularNeighbourhood where the particles do not determine a, b and c
+template <class Scalar>
+Cubic<Scalar> correction(const std::array<Scalar, 7>& m) {
+    const Eigen::Matrix<Scalar, 3, 3> M{{m[0], m[1], m[3]}, {m[1], m[2], m[4]}, {m[3], m[4], m[6]}};
+    const Eigen::Matrix<Scalar, 3, 1> cba = inverse(M).col(0);
+    return {cba[2], cba[1], cba[0]};
+}
+
+/// \eq{A39} with the coefficients that follow from \eq{A41}.
+inline CentredKernel corrected(const CentredKernel& W_i) {
+    std::array<double, 7> m{};
+    for (int k = 0; k <= 6; ++k) m[static_cast<std::size_t>(k)] = W_i.moment(k, W_i.W) / std::pow(W_i.h, k);
+    return corrected(W_i, correction(m));
 }
 
 /// The corrected kernel at the particles, the conditions imposed on the sums. \defeq{A42}
@@ -47,7 +94,10 @@ inline Eigen::Vector3d imposed_moments(const CentredKernel& K_i) {
 /// \throws SingularNeighbourhood where the particles do not determine a, b and c
 template <class Scalar>
 Neighbourhood<Scalar> corrected(const Neighbourhood<Scalar>& near) {
-    return rkpm::corrected<0, 1, 3>(near);
+    const auto& [r, W, DW, V] = near;
+    const Cubic<Scalar> cubic = correction(rkpm::moments<6>(near));
+    const Column<Scalar> C = cubic(r), DC = cubic.derivative(r);
+    return {r, C * W, DC * W + C * DW, V};
 }
 
 /// Both derivatives: the modified FPM's system with \f$K_i\f$ and \f$DK_i\f$. \defeq{A43}
@@ -70,11 +120,14 @@ Derivatives<Scalar> derivatives(const Neighbourhood<Scalar>& near) {
     return modified_fpm::derivatives(corrected(near));
 }
 
-/// Error of \eq{A43} without remainders, computed minus exact: O(h²) for both derivatives, everywhere. \defeq{A44}
+/// Error of \eq{A43} without remainders, computed minus exact: O(h²) for both derivatives, everywhere.
+/// \defeq{A44}
 /// \f[ \begin{bmatrix} 0 & A_{12} \\ A_{21} & A_{22} \end{bmatrix}^{-1}
 ///     \begin{bmatrix} e'''_1 \\ e'''_2 \end{bmatrix}
-///     = \begin{bmatrix} -\dfrac{A_{22}}{A_{12}A_{21}} & \dfrac{1}{A_{21}} \\[2ex] \dfrac{1}{A_{12}} & 0 \end{bmatrix}
-///       \begin{bmatrix} e'''_1 \\ e'''_2 \end{bmatrix} = \begin{bmatrix} O(h^2) \\ O(h^2) \end{bmatrix} \tag{44} \f]
+///     = \begin{bmatrix} -\dfrac{A_{22}}{A_{12}A_{21}} & \dfrac{1}{A_{21}}
+///                       \\[2ex] \dfrac{1}{A_{12}} & 0 \end{bmatrix}
+///       \begin{bmatrix} e'''_1 \\ e'''_2 \end{bmatrix}
+///     = \begin{bmatrix} O(h^2) \\ O(h^2) \end{bmatrix} \tag{44} \f]
 /// \param K_i the corrected kernel
 inline Eigen::Vector2d error(const Function& B, double DB_i, double D2B_i, const CentredKernel& K_i) {
     const Eigen::Matrix2d A = modified_fpm::matrix(K_i);

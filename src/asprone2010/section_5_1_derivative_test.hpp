@@ -8,7 +8,7 @@
 
 namespace asprone2010 {
 
-/// Section 5.1, the derivative test: how well are the derivatives of eˣ approximated? Figure 1.
+/// Section 5.1, the derivative test: errors of the derivatives of eˣ. Figure 1.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
@@ -16,8 +16,8 @@ namespace asprone2010 {
 /// | \f$f''(x)\f$ | `Smooth::D2f` | its second derivative |
 /// | infinity norm | `Errors` | largest error over the particles, all or interior |
 ///
-/// The particles hold the exact values; D and D² are applied to them and compared with the exact derivatives in the
-/// infinity norm, which is governed by the worst particle, and that lies on the boundary or next to it.
+/// The particles hold the exact values. D and D² are applied to them and compared with the exact derivatives
+/// in the infinity norm: the worst particle decides, and it lies on the boundary or next to it.
 ///
 /// \image html asprone2010_figure_1.svg "Infinity norm of the error of the second derivative against the number of particles, and its spread on perturbed particles."
 ///
@@ -43,8 +43,9 @@ struct Errors {
     std::optional<Scalar> first_interior, second_interior;  ///< empty where no particle is interior
 };
 
-/// The errors of a formulation on given particles. A particle is interior if it is farther than the support's radius from
-/// both ends. (Operators applied twice feel the boundary over twice that distance.)
+/// The errors of a formulation on given particles. A particle is interior if its distance from both ends is
+/// larger than the radius of the support. (The boundary influences operators applied twice over twice that
+/// distance.)
 template <class Scalar>
 Errors<Scalar> errors(const Formulation<Scalar>& formulation,
                       const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact) {
@@ -55,17 +56,17 @@ Errors<Scalar> errors(const Formulation<Scalar>& formulation,
     const Column<Scalar> first = (particles::apply(D, B) - x.unaryExpr(exact.Df)).abs();
     const Column<Scalar> second = (particles::apply(D2, B) - x.unaryExpr(exact.D2f)).abs();
 
-    Errors<Scalar> of{first.maxCoeff(), second.maxCoeff(), {}, {}};
+    Errors<Scalar> largest{first.maxCoeff(), second.maxCoeff(), {}, {}};
     const Scalar reach = smoothing.reach();
     Index left = 0;
     while (left < line.size() && !(x[left] - x[0] > reach)) ++left;
     Index right = line.size();
     while (right > left && !(x[line.size() - 1] - x[right - 1] > reach)) --right;
     if (left < right) {
-        of.first_interior = first.segment(left, right - left).maxCoeff();
-        of.second_interior = second.segment(left, right - left).maxCoeff();
+        largest.first_interior = first.segment(left, right - left).maxCoeff();
+        largest.second_interior = second.segment(left, right - left).maxCoeff();
     }
-    return of;
+    return largest;
 }
 
 }  // namespace derivative_test

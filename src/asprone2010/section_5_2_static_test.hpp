@@ -17,14 +17,15 @@ namespace asprone2010 {
 /// | \f$f = e^x\f$ | `right_hand_side` | body load, \f$-u''\f$ of the exact solution |
 /// | \f$u(0) = u'(1) = 0\f$ | first and last row of `system` | clamped and traction-free end |
 ///
-/// Equation \eq{A45} is imposed at the inner particles, the displacement at the first and the derivative at the last, both with
-/// the formulation's own operators; the print does not say how.
+/// Equation \eq{A45} is imposed at the inner particles, the displacement at the first particle and the
+/// derivative at the last one, with the formulation's own operators. The print does not say how.
 ///
 /// \image html asprone2010_figure_2.svg "Infinity norm of the error of the displacement, on uniform and on perturbed particles."
 ///
-/// Beyond the print: the condition of the system grows with N². Solved once in double precision, the second-order formulation errs by 1.3e-8
-/// with 10⁴ particles, eight times what its discretisation does, and by 5e-5 with 10⁶. Corrections for the residual, formed through differences, bring that
-/// back to the discretisation's error up to 10⁵ particles, and to 3e-12 with 10⁶ (\ref displacement).
+/// Beyond the print: the condition of the system grows with N². Solved once in double precision, the
+/// second-order formulation has an error of 1.3e-8 with 10⁴ particles, eight times the error of its
+/// discretisation, and of 5e-5 with 10⁶. Corrections for the residual, formed through differences, reduce the
+/// error to that of the discretisation up to 10⁵ particles, and to 3e-12 with 10⁶ (\ref displacement).
 ///
 /// \image html asprone2010_figure_scale.svg "Error of the displacement on long lines, solved once and corrected."
 ///
@@ -47,20 +48,11 @@ Smooth<Scalar> exponential_load() {
 /// \f[ -u'' = f \tag{45} \f]
 /// \param D2 second derivative at N particles [1/length²]; its memory becomes the system's
 /// \param D first derivative, of which the last row is taken [1/length]
-/// \return the system's matrix: \f$u(x_1)\f$, then \f$-D^2u\f$, then \f$Du(x_N)\f$
+/// \return the system's matrix, by rows: \f$u(x_1)\f$, \f$-D^2u(x_i)\f$ for i = 2 … N − 1, \f$Du(x_N)\f$
 template <class Scalar>
 Operator<Scalar> system(Operator<Scalar>&& D2, const Operator<Scalar>& D) {
-    const Index N = D2.rows();
-    Operator<Scalar> A;
-    A.swap(D2);
-    A.coeffs() = -A.coeffs();
-    const auto replace_row = [&](Index i, const auto& row) {
-        for (typename Operator<Scalar>::InnerIterator entry(A, i); entry; ++entry)
-            entry.valueRef() = row(entry.col());
-    };
-    replace_row(0, [](Index j) { return Scalar(j == 0 ? 1 : 0); });
-    replace_row(N - 1, [&](Index j) -> Scalar { return D.coeff(N - 1, j); });
-    return A;
+    const Operator<Scalar> u = particles::identity<Scalar>(D2.rows());
+    return particles::first_inner_last(u, particles::minus(std::move(D2)), D);
 }
 
 /// The right-hand side that belongs to system(): the first displacement, the load, the last derivative.
@@ -74,25 +66,27 @@ Column<Scalar> right_hand_side(const Line<Scalar>& line, const Smooth<Scalar>& e
     return f;
 }
 
-/// What given displacements leave of the right-hand side, the sums formed through differences \f$u_j - u_i\f$, which are exact.
+/// Residual \f$f - A u\f$ of given displacements. Its sums are formed through differences \f$u_j - u_i\f$,
+/// which are exact.
 /// \param A of system()
 template <class Scalar>
 Column<Scalar> residual(const Operator<Scalar>& A, const Column<Scalar>& f, const Column<Scalar>& u) {
-    Column<Scalar> left = f - particles::apply(A, u);
-    left[0] = f[0] - u[0];
-    return left;
+    Column<Scalar> rest = f - particles::apply(A, u);
+    rest[0] = f[0] - u[0];
+    return rest;
 }
 
-/// As many corrections as \ref displacement() may make.
+/// Largest number of corrections in \ref displacement().
 inline constexpr int most_corrections = 10;
 
 /// Displacements at the particles.
 ///
-/// The condition of the system grows with N², and the stored diagonal entries are rounded: a solution in double precision is worth
-/// 1e-8 for N = 1e4, 1e-4 for N = 1e6. It is corrected by the solution for what it leaves, until a correction is not half as large as
-/// the one before. What is left then is the error of the discretisation, down to 1e-12.
+/// The condition of the system grows with N², and its stored diagonal entries are rounded: one solution in
+/// double precision has an error of 1e-8 for N = 1e4 and of 1e-4 for N = 1e6. Solutions for the residual
+/// correct it, as long as each correction is less than half as large as the one before. The remaining error
+/// is that of the discretisation, down to 1e-12.
 /// \param end the formulation whose first derivative is imposed at the last particle
-/// \param corrections at most so many
+/// \param corrections largest number of corrections
 /// \throws base::FailedComputation where the system is singular
 template <class Scalar>
 Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
@@ -104,7 +98,7 @@ Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formul
         system(std::move(D2), &end == &formulation ? D : end.operators(line, smoothing).D);
     const Column<Scalar> f = right_hand_side(line, exact);
     const solvers::BandedFactors<Scalar> factors(A);
-    factors.require_regular();  // a correction may be small all the same
+    factors.require_regular();  // small corrections would not reveal a singular system
     Column<Scalar> u = factors.solve(f);
     Scalar last = u.abs().maxCoeff();
     for (int k = 0; k < corrections; ++k) {
@@ -126,7 +120,7 @@ Scalar error(const Formulation<Scalar>& formulation, const Formulation<Scalar>& 
     return numerical_tests::distance<Scalar>(u, discrete.line.x().unaryExpr(exact.f));
 }
 
-/// The same with the formulation's own derivative at the last particle, as we chose.
+/// The same with the formulation's own derivative at the last particle, our choice.
 template <class Scalar>
 Scalar error(const Formulation<Scalar>& formulation, const numerical_tests::Particles<Scalar>& discrete,
              const Smooth<Scalar>& exact) {

@@ -19,16 +19,17 @@ namespace asprone2010 {
 /// | \f$\omega_n\f$ | `frequency` | circular frequency of mode n |
 /// | \f$K\f$ | `stiffness` | D² without the rows and columns of the fixed ends |
 ///
-/// Departures from the print: \eq{A47} and \eq{A48} carry the wrong sign. Only with the signs below do they give \eq{A49} and \eq{A50}; as
-/// printed, \eq{A47} with \f$x = \sin(\omega X)e^{i\omega t}\f$ leaves \f$-2\omega^2 x\f$. And the eigenvalues of K in \eq{A52}
-/// approximate \f$-\omega_n^2\f$. N particles have N − 2 modes, since two are fixed.
+/// Departures from the print: \eq{A47} and \eq{A48} have the wrong sign. Only with the signs below do they
+/// give \eq{A49} and \eq{A50}; as printed, \eq{A47} with \f$x = \sin(\omega X)e^{i\omega t}\f$ leaves
+/// \f$-2\omega^2 x\f$. And the eigenvalues of K in \eq{A52} approximate \f$-\omega_n^2\f$. N particles have
+/// N − 2 modes, since two are fixed.
 ///
 /// \image html asprone2010_figure_3.svg "Frequencies over exact frequencies, 100 particles."
 ///
 /// What this section claims, and what was measured: \claims{A-5.3}.
 namespace vibration_test {
 
-/// The ends are fixed: of D², their rows and columns do not enter. \defeq{A46}
+/// The ends are fixed: their rows and columns of D² are left out. \defeq{A46}
 /// \f[ x(0) = x(1) = 0 \tag{46} \f]
 /// \param D2 second derivative at N particles [1/length²]
 /// \return K, (N − 2) × (N − 2)
@@ -37,7 +38,7 @@ inline Eigen::MatrixXd stiffness(const Operator<double>& D2) {
     return Eigen::MatrixXd(D2).block(1, 1, N - 2, N - 2);
 }
 
-/// Equation of motion: what it leaves of given second derivatives. The print has a plus. \defeq{A47}
+/// Equation of motion: its residual for given second derivatives. The print has a plus. \defeq{A47}
 /// \f[ \frac{\partial^2 x}{\partial X^2} - \frac{\partial^2 x}{\partial t^2} = 0 \tag{47} \f]
 inline double unbalance(double d2x_dX2, double d2x_dt2) {
     return d2x_dX2 - d2x_dt2;
@@ -49,7 +50,7 @@ inline double acceleration(double omega, double x) {
     return -omega * omega * x;
 }
 
-/// \eq{A47} with \eq{A48}: what a stationary vibration leaves. \defeq{A49}
+/// \eq{A47} with \eq{A48}: the residual of a stationary vibration. \defeq{A49}
 /// \f[ \frac{\partial^2 x}{\partial X^2} + \omega^2 x = 0 \tag{49} \f]
 inline double stationary_unbalance(double d2x_dX2, double omega, double x) {
     return unbalance(d2x_dX2, acceleration(omega, x));
@@ -72,13 +73,18 @@ inline bool lower(const std::complex<double>& a, const std::complex<double>& b) 
     return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
 }
 
-/// The discrete problem: frequencies \f$\omega_n = \sqrt{-\lambda_n}\f$ of the eigenvalues λ of K. \defeq{A52}
+/// The discrete problem, an eigenvalue problem \f$\mathbf{K}\mathbf{x} = \lambda\mathbf{x}\f$ with
+/// \f$\lambda = -\omega^2\f$. \defeq{A52}
 /// \f[ \mathbf{K}\mathbf{x} + \omega^2\mathbf{x} = 0 \tag{52} \f]
-/// A frequency that is not real belongs to an eigenvalue that is not negative.
-/// \return by increasing real part, then imaginary part
+/// \return \f$\omega = \sqrt{-\lambda}\f$; it is real where the eigenvalue is negative
+inline std::complex<double> frequency(const std::complex<double>& lambda) {
+    return std::sqrt(-lambda);
+}
+
+/// All frequencies of \eq{A52}, by increasing real part, then imaginary part.
 inline std::vector<std::complex<double>> frequencies(const Eigen::MatrixXd& K) {
-    std::vector<std::complex<double>> omega;
-    for (const std::complex<double>& lambda : solvers::eigenvalues(K)) omega.push_back(std::sqrt(-lambda));
+    std::vector<std::complex<double>> omega = solvers::eigenvalues(K);
+    std::transform(omega.begin(), omega.end(), omega.begin(), frequency);
     std::sort(omega.begin(), omega.end(), lower);
     return omega;
 }
@@ -89,18 +95,19 @@ inline std::vector<std::complex<double>> frequencies(const Formulation<double>& 
     return frequencies(stiffness(formulation.operators(discrete.line, discrete.smoothing).D2));
 }
 
-/// A mode with what its shape leaves of \eq{A52}.
+/// A mode of \eq{A52}.
 struct Mode {
     std::complex<double> frequency;
     double residual =
         0;  ///< \f$\|\mathbf{K}^{-1}\mathbf{x} + \mathbf{x}/\omega^2\| / \|\mathbf{x}/\omega^2\|\f$
 };
 
-/// The lowest modes of \eq{A52}, for lines that are too long for all of them.
+/// The lowest modes of \eq{A52}, for lines too long for the whole spectrum.
 ///
-/// Shapes are those of \f$\mathbf{K}^{-1}\f$ with the largest eigenvalues θ. A product with K carries round-off of the size of
-/// \f$\varepsilon/\delta^2\f$, so that \f$\theta = \mathbf{x}\cdot\mathbf{K}^{-1}\mathbf{x}\f$ gives the frequency, by a solution that is corrected
-/// as in the static test. Lowest are those of least |ω|: of those whose frequency is not real, others may have a lower real part.
+/// Shapes are the eigenvectors of \f$\mathbf{K}^{-1}\f$ with the largest eigenvalues θ. Frequencies follow
+/// from \f$\theta = \mathbf{x}\cdot\mathbf{K}^{-1}\mathbf{x}\f$ by a solution that is corrected as in the
+/// static test: a product with K has round-off of the size of \f$\varepsilon/\delta^2\f$. Lowest means
+/// smallest |ω|; where frequencies are not real, modes that are not returned may have a lower real part.
 /// \param D2 second derivative at N particles \param count of modes, at most N − 4
 /// \return by increasing real part, then imaginary part
 /// \throws base::FailedComputation where K is singular or the iteration does not converge
@@ -126,7 +133,7 @@ inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
         inverse_x.imag() = inverse(x.imag(), nearly.imag()).matrix();
         const std::complex<double> theta = x.dot(inverse_x);
         const std::complex<double> lambda = 1.0 / theta;
-        modes[static_cast<std::size_t>(k)] = {std::sqrt(-lambda),
+        modes[static_cast<std::size_t>(k)] = {frequency(lambda),
                                               (inverse_x - theta * x).norm() / std::abs(theta)};
     });
     std::sort(modes.begin(), modes.end(),

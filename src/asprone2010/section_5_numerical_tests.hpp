@@ -7,7 +7,8 @@
 
 namespace asprone2010 {
 
-/// Section 5, what the three numerical tests share: Ω = [0, 1], particles at equal distances, a Gaussian with h = δ.
+/// Section 5, the setting of the three numerical tests: Ω = [0, 1], particles at equal distances, a Gaussian
+/// with h = δ.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
@@ -16,23 +17,23 @@ namespace asprone2010 {
 /// | \f$h\f$ | `smoothing.h()` | smoothing length, `Discretisation::smoothing` times δ |
 /// | δ/4 | `Discretisation::perturbation` | amplitude of the random displacement, 1/4 |
 ///
-/// The print leaves open where the particles lie in their cells, which volumes the end particles carry, which numbers of
-/// particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle, since both tests impose
-/// boundary conditions there; volumes follow a named
-/// convention: δ for every particle by default, although \eq{A3} fits cells that tile Ω, since the overlap of two spectra in
-/// Figure 3 and footnote 1 come out better so (claims \claim{A18a} and \claim{A23}); h stays δ when particles are perturbed.
+/// The print leaves open where the particles lie in their cells, which volumes the end particles carry, which
+/// numbers of particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle,
+/// since boundary conditions are imposed there. Volumes follow a named convention, by default δ for every
+/// particle: \eq{A3} fits cells that tile Ω, but the overlap of two spectra in Figure 3 and footnote 1 are
+/// reproduced better with δ (claims \claim{A18a} and \claim{A23}); h stays δ when particles are perturbed.
 namespace numerical_tests {
 
-/// How a line of N particles is made and smoothed.
+/// How a line of N particles is made, and its smoothing length.
 struct Discretisation {
     particles::Volumes volumes = particles::Volumes::equal;
     particles::Kernel kernel = particles::Gaussian{};
     double smoothing = 1;     ///< h/δ
     double perturbation = 0;  ///< amplitude a of the random displacement, in units of δ
-    particles::Spacing smoothing_from = particles::Spacing::mean;  ///< what δ is in h/δ
+    particles::Spacing smoothing_from = particles::Spacing::mean;  ///< the δ of h/δ
 };
 
-/// Particles with the kernel that smooths over them.
+/// Particles, and a kernel with its smoothing length.
 template <class Scalar = double>
 struct Particles {
     Line<Scalar> line;
@@ -42,23 +43,23 @@ struct Particles {
 /// Particles at given positions; the perturbation does not enter.
 /// \throws base::InvalidInput for positions that do not increase, h ≤ 0
 template <class Scalar>
-Particles<Scalar> discretise(const Discretisation& of, const Column<Scalar>& x) {
-    if (!(std::isfinite(of.smoothing) && of.smoothing > 0))
+Particles<Scalar> discretise(const Discretisation& how, const Column<Scalar>& x) {
+    if (!(std::isfinite(how.smoothing) && how.smoothing > 0))
         throw base::InvalidInput("the smoothing length over the spacing must be positive and finite, got " +
-                                 base::shown(of.smoothing));
-    const Line<Scalar> line = particles::line_at<Scalar>(x, of.volumes);
-    const Column<Scalar> h = Scalar(of.smoothing) * line.spacing(of.smoothing_from);
-    return {line, particles::Smoothing<Scalar>(of.kernel, h)};
+                                 base::shown(how.smoothing));
+    const Line<Scalar> line = particles::line_at<Scalar>(x, how.volumes);
+    const Column<Scalar> h = Scalar(how.smoothing) * line.spacing(how.smoothing_from);
+    return {line, particles::Smoothing<Scalar>(how.kernel, h)};
 }
 
 /// The N particles of a discretisation; the seed matters where they are perturbed.
 /// \throws base::InvalidInput for N < 2, a perturbation outside [0, 1/2), h ≤ 0
 template <class Scalar = double>
-Particles<Scalar> discretise(const Discretisation& of, Index N, unsigned long seed) {
-    const Column<Scalar> x = of.perturbation == 0
+Particles<Scalar> discretise(const Discretisation& how, Index N, unsigned long seed) {
+    const Column<Scalar> x = how.perturbation == 0
                                  ? particles::uniform_positions<Scalar>(N)
-                                 : particles::perturbed_positions<Scalar>(N, of.perturbation, seed);
-    return discretise(of, x);
+                                 : particles::perturbed_positions<Scalar>(N, how.perturbation, seed);
+    return discretise(how, x);
 }
 
 /// \f$\max_j |a_j - b_j|\f$, the norm in which the displacement's error is measured.

@@ -116,18 +116,6 @@ TEST_CASE(
                 }
 }
 
-TEST_CASE("operators: applied twice is the product with itself, of rows of any length") {
-    for (const double smoothing : {0.7, 1.0, 4.0, 9.0})
-        for (const auto from : {Spacing::mean, Spacing::local})
-            for (const Index N : {9, 64, 65, 211}) {
-                const auto [line, of] = particles_of(N, {Volumes::equal, Gaussian{}, smoothing, 0.4, from});
-                const auto [D, D2] = formulations<double>()[0].operators(line, of);
-                const Eigen::MatrixXd dense(D), product = dense * dense;
-                CHECK((Eigen::MatrixXd(D2) - product).cwiseAbs().maxCoeff() <
-                      1e-13 * product.cwiseAbs().maxCoeff());
-            }
-}
-
 TEST_CASE("operators: rows are compressed and hold the neighbours in order") {
     const auto [line, smoothing] = particles_of(60, {Volumes::equal, QuinticSpline{}, 1.5, 0.2});
     const auto D = asprone2010::formulation_named<double>("modified_fpm").operators(line, smoothing).D;
@@ -148,6 +136,19 @@ TEST_CASE("operators: applying through differences agrees with the matrix produc
         CHECK((apply(D, B) - (D * B.matrix()).array()).abs().maxCoeff() < 1e-11);
         CHECK((apply(D2, B) - (D2 * B.matrix()).array()).abs().maxCoeff() < 1e-8);
     }
+}
+
+TEST_CASE("operators: minus, identity, and the rows of three operators in one") {
+    const auto [line, smoothing] = particles_of(40, {Volumes::equal, Gaussian{}, 1, 0.25});
+    const auto both = asprone2010::formulation_named<double>("modified_fpm").operators(line, smoothing);
+    const Eigen::MatrixXd D(both.D), D2(both.D2);
+    CHECK(Eigen::MatrixXd(identity<double>(40)) == Eigen::MatrixXd::Identity(40, 40));
+    CHECK(Eigen::MatrixXd(minus(Operator<double>(both.D))) == -D);
+    const Eigen::MatrixXd rows(
+        first_inner_last(identity<double>(40), minus(Operator<double>(both.D2)), both.D));
+    CHECK(rows.row(0) == Eigen::MatrixXd::Identity(40, 40).row(0));
+    CHECK(rows.middleRows(1, 38) == -D2.middleRows(1, 38));
+    CHECK(rows.row(39) == D.row(39));
 }
 
 TEST_CASE("operators: mirrored particles give mirrored weights") {

@@ -1,0 +1,212 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "base/index.hpp"
+#include "base/memory.hpp"
+#include "base/pack.hpp"
+#include "base/parallel.hpp"
+#include "particles/neighbourhood.hpp"
+
+namespace particles {
+
+using base::for_each_index;
+using base::Index;
+using base::InvalidInput;
+using base::Pack;
+using base::prefer_large_pages;
+
+/// The fast way behind the operators: compressed rows of consecutive columns, written in place, a Pack of
+/// particles at a time.
+namespace banded {
+
+/// A sparse matrix by rows; here each row stores consecutive columns.
+template <class Scalar>
+using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor>;
+
+/// A square matrix whose row i stores the columns near[i]. Columns and values are not yet written.
+/// \throws InvalidInput for more entries than an int can count
+template <class Scalar>
+Rows<Scalar> allocated(const std::vector<Range>& near) {
+    const auto N = static_cast<Index>(near.size());
+    Index entries = 0;
+    for (const Range& range : near) entries += range.size();
+    if (entries > std::numeric_limits<int>::max())
+        throw InvalidInput("an operator of " + std::to_string(entries) +
+                           " weights is too large; take fewer particles or a smaller smoothing length");
+    Rows<Scalar> D(N, N);
+    D.outerIndexPtr()[0] = 0;
+    for (Index i = 0; i < N; ++i)
+        D.outerIndexPtr()[i + 1] =
+            D.outerIndexPtr()[i] + static_cast<int>(near[static_cast<std::size_t>(i)].size());
+    D.resizeNonZeros(entries);
+    prefer_large_pages(D.valuePtr(), entries);
+    prefer_large_pages(D.innerIndexPtr(), entries);
+    return D;
+}
+
+/// Writes the columns of a row. \return the address of its first value
+template <class Scalar>
+Scalar* begin_row(Rows<Scalar>& D, Index i, const Range& near) {
+    const Index start = D.outerIndexPtr()[i];
+    std::iota(D.innerIndexPtr() + start, D.innerIndexPtr() + start + near.size(),
+              static_cast<int>(near.first));
+    return D.valuePtr() + start;
+}
+
+/// Sets the diagonal entry of a row to minus the sum of the others. An entry may be a Pack or an array, of
+/// several rows.
+/// \param own place of the diagonal entry in the row
+template <class Scalar>
+void annihilate_constants(Scalar* row, Index size, Index own) {
+    row[own] -= row[own];
+    for (Index k = 0; k < own; ++k) row[own] -= row[k];
+    for (Index k = own + 1; k < size; ++k) row[own] -= row[k];
+}
+
+/// Writes row i: weights on differences, times their unit.
+/// \param near the particle's neighbours \param own its place among them
+template <class Scalar>
+void set_row(Rows<Scalar>& D, Index i, const Range* near, Index own, const Column<Scalar>& weights,
+             const Scalar& unit) {
+    Scalar* const row = begin_row(D, i, *near);
+    Eigen::Map<Column<Scalar>>(row, weights.size()) = weights * unit;
+    annihilate_constants(row, weights.size(), own);
+}
+
+/// The same for each particle of a Pack, from i on. Weights of particles that a lane does not reach are
+/// skipped.
+inline void set_row(Rows<double>& D, Index i, const Range* near, Index own, const Column<Pack>& weights,
+                    const Pack& unit) {
+    Column<Pack> rows = weights * unit;
+    annihilate_constants(rows.data(), rows.size(), own);
+    for (int lane = 0; lane < Pack::lanes; ++lane) {
+        const Index skipped = near[lane].first - (i + lane - own), size = near[lane].size();
+        double* const row = begin_row(D, i + lane, near[lane]);
+        const Pack* const from = rows.data() + skipped;
+        for (Index k = 0; k < size; ++k) row[k] = from[k][lane];
+    }
+}
+
+/// Numbers of particles on either side of its own that the particles of a Pack reach, at most.
+struct Sides {
+    Index left, right;
+};
+
+/// \return nothing where the Pack would reach beyond an end of the line, or more particles than its columns
+///        hold
+inline std::optional<Sides> sides_of_pack(const std::vector<Range>& near, Index i) {
+    const auto N = static_cast<Index>(near.size());
+    Sides sides{0, 0};
+    for (Index j = i; j < std::min(i + Pack::lanes, N); ++j) {
+        const Range& near_j = near[static_cast<std::size_t>(j)];
+        sides.left = std::max(sides.left, j - near_j.first);
+        sides.right = std::max(sides.right, near_j.last - 1 - j);
+    }
+    const bool on_the_line = i >= sides.left && i + Pack::lanes + sides.right <= N;
+    if (!on_the_line || sides.left + 1 + sides.right > most_in_pack) return {};
+    return sides;
+}
+
+/// Calls `together(i)` for each Pack, in parallel, with its first particle i; where it returns false, calls
+/// `alone(i)` for each particle of the Pack.
+template <class Together, class Alone>
+void for_each_pack(Index N, const Together& together, const Alone& alone) {
+    for_each_index((N + Pack::lanes - 1) / Pack::lanes, [&](Index pack) {
+        const Index first = pack * Pack::lanes, last = std::min(first + Pack::lanes, N);
+        if (together(first)) return;
+        for (Index i = first; i < last; ++i) alone(i);
+    });
+}
+
+/// Some rows of a matrix by diagonals, \f$A_{i,i+a}\f$ for −left ≤ a ≤ right, so that the entries of a
+/// diagonal follow one another in memory. Entries that the matrix does not store are zero, and so are rows
+/// beyond it.
+template <class Scalar>
+class Diagonals {
+  public:
+    Index left = 0, right = 0;
+
+    Diagonals(const Rows<Scalar>& A, const Range& rows) : first_(rows.first) {
+        const int *const start = A.outerIndexPtr(), *const column = A.innerIndexPtr();
+        const Range stored{std::max<Index>(rows.first, 0), std::min(rows.last, A.rows())};
+        for (Index i = stored.first; i < stored.last; ++i) {
+            left = std::max<Index>(left, i - column[start[i]]);
+            right = std::max<Index>(right, column[start[i + 1] - 1] - i);
+        }
+        entries_.setZero(rows.size(), left + 1 + right);
+        for (Index i = stored.first; i < stored.last; ++i) {
+            Scalar* const row = entries_.data() + (i - first_);
+            for (int k = start[i]; k < start[i + 1]; ++k)
+                row[entries_.rows() * (left + column[k] - i)] = A.valuePtr()[k];
+        }
+    }
+
+    /// Entries of diagonal a in `count` rows, from i on.
+    template <int count>
+    [[nodiscard]] auto entries(Index i, Index a) const {
+        return entries_.col(left + a).template segment<count>(i - first_);
+    }
+
+  private:
+    Index first_;
+    Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic> entries_;
+};
+
+/// \f$(A B)_{i,i+q} = \sum_a A_{i,i+a}\,B_{i+a,i+q}\f$, computed from the diagonals of A and B for a block of
+/// rows at a time. The diagonal entry is minus the sum of the row's others.
+template <class Scalar>
+Rows<Scalar> product(const Rows<Scalar>& A, const Rows<Scalar>& B) {
+    const Index N = A.rows();
+    const auto stored = [](const Rows<Scalar>& D, Index i) -> Range {
+        return {D.innerIndexPtr()[D.outerIndexPtr()[i]], D.innerIndexPtr()[D.outerIndexPtr()[i + 1] - 1] + 1};
+    };
+    std::vector<Range> near(static_cast<std::size_t>(N));
+    for_each_index(N, [&](Index i) {
+        Range& range = near[static_cast<std::size_t>(i)];
+        range = {i, i + 1};
+        for (Index j = stored(A, i).first; j < stored(A, i).last; ++j) {
+            range.first = std::min(range.first, stored(B, j).first);
+            range.last = std::max(range.last, stored(B, j).last);
+        }
+    });
+
+    Rows<Scalar> AB = allocated<Scalar>(near);
+    constexpr Index tile = 64, block = 16;
+    using Block = Eigen::Array<Scalar, block, 1>;
+    for_each_index((N + tile - 1) / tile, [&](Index t) {
+        const Range rows{t * tile, (t + 1) * tile};
+        const Diagonals<Scalar> of_A(A, rows), of_B(B, {rows.first - of_A.left, rows.last + of_A.right});
+        const Index left = of_A.left + of_B.left, right = of_A.right + of_B.right;
+        std::vector<Block> sums(static_cast<std::size_t>(left + 1 + right));
+        for (Index b = rows.first; b < std::min(rows.last, N); b += block) {
+            for (Index q = -left; q <= right; ++q) {
+                Block sum = Block::Zero();
+                const Index least = std::max(-of_A.left, q - of_B.right),
+                            most = std::min(of_A.right, q + of_B.left);
+                for (Index a = least; a <= most; ++a)
+                    sum += of_A.template entries<block>(b, a) * of_B.template entries<block>(b + a, q - a);
+                sums[static_cast<std::size_t>(left + q)] = sum;
+            }
+            annihilate_constants(sums.data(), left + 1 + right, left);
+            for (Index i = b; i < std::min({b + block, rows.last, N}); ++i) {
+                const Range& range = near[static_cast<std::size_t>(i)];
+                Scalar* const row = begin_row(AB, i, range);
+                const Scalar* const from =
+                    sums[static_cast<std::size_t>(left + range.first - i)].data() + (i - b);
+                for (Index k = 0; k < range.size(); ++k) row[k] = from[block * k];
+            }
+        }
+    });
+    return AB;
+}
+
+}  // namespace banded
+}  // namespace particles

@@ -1,0 +1,58 @@
+#include "particles/banded_rows.hpp"
+
+#include "tests/support.hpp"
+
+using namespace particles;
+using asprone2010::formulations;
+using support::particles_of;
+
+TEST_CASE(
+    "banded rows: the product is that of dense matrices, for rows of any length and bands of two widths") {
+    for (const double smoothing : {0.7, 1.0, 4.0, 9.0})
+        for (const auto from : {Spacing::mean, Spacing::local})
+            for (const Index N : {9, 64, 65, 211}) {
+                const auto wide = particles_of(N, {Volumes::equal, Gaussian{}, smoothing, 0.4, from});
+                const auto narrow = particles_of(N, {Volumes::equal, CubicSpline{}, 1.3, 0.4});
+                const auto A = formulations<double>()[0].operators(wide.line, wide.smoothing).D;
+                const auto B = formulations<double>()[0].operators(narrow.line, narrow.smoothing).D;
+                for (const auto* first : {&A, &B})
+                    for (const auto* second : {&A, &B}) {
+                        const Eigen::MatrixXd a(*first), b(*second), ab = a * b;
+                        CHECK((Eigen::MatrixXd(banded::product(*first, *second)) - ab).cwiseAbs().maxCoeff() <
+                              1e-13 * ab.cwiseAbs().maxCoeff());
+                    }
+            }
+}
+
+TEST_CASE("banded rows: a pack needs neighbours on the line, and no more than its columns hold") {
+    std::vector<Range> near(200);
+    for (Index i = 0; i < 200; ++i)
+        near[static_cast<std::size_t>(i)] = {std::max<Index>(i - 3, 0), std::min<Index>(i + 5, 200)};
+    const auto inside = banded::sides_of_pack(near, 96);
+    REQUIRE(inside.has_value());
+    CHECK(inside->left == 3);
+    CHECK(inside->right == 4);
+    CHECK(banded::sides_of_pack(near, 3).has_value());
+    CHECK(banded::sides_of_pack(near, 200 - 4 - Pack::lanes).has_value());
+    CHECK_FALSE(banded::sides_of_pack(near, 200 - 3 - Pack::lanes).has_value());
+    near[97] = {97 - 30, 97 + 1 + 33};
+    CHECK(banded::sides_of_pack(near, 96).has_value());
+    near[97] = {97 - 30, 97 + 60};
+    CHECK_FALSE(banded::sides_of_pack(near, 96).has_value());
+}
+
+TEST_CASE("banded rows: each pack is tried once, and its particles alone where it fails") {
+    const Index N = 5 * Pack::lanes + 1;
+    std::vector<int> together(static_cast<std::size_t>(N)), alone = together;
+    banded::for_each_pack(
+        N,
+        [&](Index i) {
+            ++together[static_cast<std::size_t>(i)];
+            return i / Pack::lanes % 2 == 0;
+        },
+        [&](Index i) { ++alone[static_cast<std::size_t>(i)]; });
+    for (Index i = 0; i < N; ++i) {
+        CHECK(together[static_cast<std::size_t>(i)] == (i % Pack::lanes == 0 ? 1 : 0));
+        CHECK(alone[static_cast<std::size_t>(i)] == (i / Pack::lanes % 2 == 0 ? 0 : 1));
+    }
+}
