@@ -3,8 +3,7 @@
 #include <stdexcept>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error \
-    "-ffast-math takes away infinity and NaN, by which what cannot be computed is found; compile without it"
+#error "-ffast-math removes infinity and NaN, which show where a computation has failed; compile without it"
 #endif
 
 namespace base {
@@ -14,7 +13,7 @@ class InvalidInput : public std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
 
-/// A well-posed question without an answer: a singular neighbourhood, a singular system.
+/// The question has a meaning but no answer: a singular neighbourhood, a singular system.
 class FailedComputation : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -2,7 +2,8 @@
 
 #include <Eigen/Core>
 
-/// What every other folder stands on: errors, numbers and their text, threads, memory. It knows no particles.
+/// The ground floor, on which all other folders stand: errors, numbers and their text, threads, memory. It
+/// knows no particles.
 namespace base {
 
 using Index = Eigen::Index;

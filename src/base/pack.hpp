@@ -5,11 +5,11 @@
 
 namespace base {
 
-/// The same quantity of several consecutive particles, one lane each: a scalar in the place of double with which a formula
-/// serves all of them at once, in the registers that the processor has for that. Compilers break the operations down to what
-/// there is, so that every lane has the same bits with and without wide registers.
+/// The same quantity of several consecutive particles, one in each lane. As a scalar in place of double, it
+/// evaluates a formula for all of them at once, in the wide registers of the processor. Compilers split the
+/// operations where registers are narrower, so that every lane has the same bits on all processors.
 ///
-/// Comparisons answer for each lane; everywhere() and chosen() make of the answers what branches are for one number.
+/// A comparison has an answer for each lane; everywhere() and chosen() take the place of branches.
 struct Pack {
 #if defined(__AVX512F__)
     static constexpr int lanes = 8;
@@ -21,59 +21,59 @@ struct Pack {
     using Vector [[gnu::vector_size(lanes * sizeof(double))]] = double;
     using Mask = decltype(Vector{} < Vector{});
 
-    Vector of;
+    Vector values;
 
     Pack() = default;
     Pack(double for_all)
-        : of(for_all - Vector{}) {}  // NOLINT(google-explicit-constructor): a number is one for all
-    explicit Pack(const Vector& each) : of(each) {}
+        : values(for_all - Vector{}) {}  // NOLINT(google-explicit-constructor): a number fills all lanes
+    explicit Pack(const Vector& each) : values(each) {}
 
-    /// The numbers from an address on, which need not be aligned.
+    /// The numbers that begin at an address, which need not be aligned.
     static Pack from(const double* first) {
         Pack loaded{};
-        __builtin_memcpy(&loaded.of, first, sizeof(Vector));
+        __builtin_memcpy(&loaded.values, first, sizeof(Vector));
         return loaded;
     }
     [[nodiscard]] double operator[](int lane) const {
-        return of[lane];
+        return values[lane];
     }
 
     Pack operator-() const {
-        return Pack(-of);
+        return Pack(-values);
     }
     Pack& operator+=(const Pack& b) {
-        return *this = Pack(of + b.of);
+        return *this = Pack(values + b.values);
     }
     Pack& operator-=(const Pack& b) {
-        return *this = Pack(of - b.of);
+        return *this = Pack(values - b.values);
     }
     Pack& operator*=(const Pack& b) {
-        return *this = Pack(of * b.of);
+        return *this = Pack(values * b.values);
     }
     Pack& operator/=(const Pack& b) {
-        return *this = Pack(of / b.of);
+        return *this = Pack(values / b.values);
     }
     friend Pack operator+(const Pack& a, const Pack& b) {
-        return Pack(a.of + b.of);
+        return Pack(a.values + b.values);
     }
     friend Pack operator-(const Pack& a, const Pack& b) {
-        return Pack(a.of - b.of);
+        return Pack(a.values - b.values);
     }
     friend Pack operator*(const Pack& a, const Pack& b) {
-        return Pack(a.of * b.of);
+        return Pack(a.values * b.values);
     }
     friend Pack operator/(const Pack& a, const Pack& b) {
-        return Pack(a.of / b.of);
+        return Pack(a.values / b.values);
     }
     friend Mask operator<(const Pack& a, const Pack& b) {
-        return a.of < b.of;
+        return a.values < b.values;
     }
     friend Mask operator>(const Pack& a, const Pack& b) {
-        return a.of > b.of;
+        return a.values > b.values;
     }
 };
 
-/// Whether a comparison holds; for each lane, if there are several.
+/// Does a comparison hold in every lane?
 inline bool everywhere(bool holds) {
     return holds;
 }
@@ -89,7 +89,7 @@ Scalar chosen(bool holds, const Scalar& a, const Scalar& b) {
     return holds ? a : b;
 }
 inline Pack chosen(const Pack::Mask& holds, const Pack& a, const Pack& b) {
-    return Pack(holds ? a.of : b.of);
+    return Pack(holds ? a.values : b.values);
 }
 
 /// The least of the lanes, as a double.
@@ -115,7 +115,7 @@ inline Pack min(const Pack& a, const Pack& b) {
 }
 inline Pack exp(const Pack& a) {
     using Lanes = Eigen::Array<double, Pack::lanes, 1>;
-    const Lanes all = Eigen::Map<const Lanes>(reinterpret_cast<const double*>(&a.of)).exp();
+    const Lanes all = Eigen::Map<const Lanes>(reinterpret_cast<const double*>(&a.values)).exp();
     return Pack::from(all.data());
 }
 

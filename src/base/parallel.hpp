@@ -7,8 +7,8 @@
 
 namespace base {
 
-/// Runs `work(k)` for k = 0 … count − 1 in parallel. The calls must not depend on one another. Of the calls that fail, the
-/// first one's exception is thrown, on any number of threads.
+/// Runs `work(k)` for k = 0 … count − 1 in parallel. The calls must not depend on one another. If calls fail,
+/// the exception of the one with the smallest k is thrown, on any number of threads.
 template <class Work>
 void for_each_index(Index count, const Work& work) {
     std::exception_ptr failure;

@@ -5,8 +5,8 @@
 
 namespace base {
 
-/// Uniform random numbers of a seed: the Mersenne twister mt19937, divided by 2³². The draws are those of GSL's mt19937 and
-/// gsl_ran_flat, bit by bit. std::uniform_real_distribution would not do: it differs between libraries.
+/// Uniform random numbers: the Mersenne twister mt19937, divided by 2³². They have the bits of GSL's mt19937
+/// and gsl_ran_flat on every platform; std::uniform_real_distribution differs between libraries.
 class Random {
   public:
     /// \param seed 0 means 4357, as in GSL; of larger seeds the last 32 bits count

@@ -6,7 +6,8 @@
 
 namespace base {
 
-/// A number as messages and tables show it: shortest form with so many significant digits, in no locale.
+/// A number for messages and tables: the shortest form with the given number of significant digits, in every
+/// locale.
 inline std::string shown(double number, int digits = 6) {
     std::array<char, 64> text{};
     const auto end =

@@ -21,8 +21,8 @@ using Point = Eigen::Matrix<Scalar, dim, 1>;
 template <int dim>
 using Points = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
-/// Particles sorted into a grid of equal cubes, about two particles to a cube: who is near a place is found in a time that
-/// does not grow with the number of particles. The cubes of a row are neighbours in memory.
+/// Particles sorted into a grid of equal cubes, about two particles to a cube. The time to find the particles
+/// near a place does not grow with their number. The cubes of a row are neighbours in memory.
 template <int dim>
 class Cells {
   public:
@@ -99,8 +99,8 @@ class Cells {
     Point<dim> origin_;
     double side_ = 0;
     std::array<Index, dim> count_{};
-    std::vector<Index> first_;   // of each cube, in the sorted order
-    std::vector<int> particle_;  // by place in that order
+    std::vector<Index> first_;   // place of each cube's first particle in the sorted order
+    std::vector<int> particle_;  // number of the particle at each place
     Points<dim> sorted_;
 };
 

@@ -24,8 +24,9 @@ struct Interval {
     double first, last;
 };
 
-/// The kernel \f$W_i\f$ of a particle as a function of x, for the integral forms: values, derivative, and integrals over
-/// the domain Ω. Lengths in the unit of x (the discrete forms take h as the unit, see Neighbourhood).
+/// The kernel \f$W_i\f$ of a particle as a function of x, for the integral forms: its values, its derivative,
+/// and integrals over the domain Ω. Lengths have the unit of x; in the discrete forms their unit is h (see
+/// Neighbourhood).
 struct CentredKernel {
     double x;        ///< the particle's position \f$x_i\f$
     double h;        ///< smoothing length
@@ -34,8 +35,8 @@ struct CentredKernel {
     Function W;      ///< \f$W_i(x)\f$ [1/length]
     Function DW;     ///< \f$DW_i(x)\f$ [1/length²]
 
-    /// \f$\int_\Omega f\,d\Omega\f$ of a function that vanishes outside the support of \f$W_i\f$: Gauss–Legendre with 32
-    /// points between the knots \f$x_i + kh\f$, where the splines change their polynomial.
+    /// \f$\int_\Omega f\,d\Omega\f$ of a function that vanishes outside the support of \f$W_i\f$:
+    /// Gauss–Legendre between the knots \f$x_i + kh\f$, where the splines change their polynomial.
     /// \throws InvalidInput for a result that is not finite
     [[nodiscard]] double integral(const Function& f) const {
         double sum = 0;

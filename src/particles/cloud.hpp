@@ -29,8 +29,8 @@ std::string shown_point(const Position& x) {
     return text + ")";
 }
 
-/// What a place sees of a cloud of particles: one entry per particle within reach. Offsets and kernel are in units of the
-/// smoothing length h, so that the local systems built of them are conditioned alike for every h.
+/// The particles of a cloud around a place, with one entry for each particle within reach. Offsets and kernel
+/// are in units of the smoothing length h, so that the condition of local systems does not depend on h.
 template <int dim, class Scalar = double>
 struct Surroundings {
     Eigen::Array<Scalar, Eigen::Dynamic, dim> s;  ///< offsets \f$(\xi_j - x)/h\f$
@@ -60,7 +60,7 @@ class Cloud {
     [[nodiscard]] const Column<double>& h() const { return h_; }
     [[nodiscard]] Index size() const { return x_.cols(); }
 
-    /// The particles nearer to a place than `reach`, in the order in which they are found, the same each time.
+    /// The particles nearer to a place than `reach`, in the order of the search, which is the same each time.
     [[nodiscard]] std::vector<int> around(const Point<dim>& place, double reach) const {
         std::vector<int> found;
         found.reserve(64);
@@ -75,7 +75,7 @@ class Cloud {
         return found;
     }
 
-    /// The particle nearest to a place; of several the first.
+    /// The particle nearest to a place; the first of several at the same distance.
     [[nodiscard]] int nearest(const Point<dim>& place) const {
         int closest = -1;
         double least = 0, reach = cells_.side() / 2;
@@ -119,9 +119,9 @@ class Cloud {
     Column<double> h_;
 };
 
-/// What a place sees of some particles of a cloud, with a smoothing length h. As in Smoothing::reach(), a particle on the
-/// very edge of the support is none, whatever round-off says.
-/// \param among the particles that come into question
+/// The particles around a place, found among some particles of a cloud, for a smoothing length h. A particle
+/// on the very edge of the support is left out, so that round-off does not decide (see Smoothing::reach()).
+/// \param among candidates
 template <int dim>
 Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
                                const Point<dim>& place, double h, std::vector<int> among) {
@@ -142,7 +142,7 @@ Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<
     return {std::move(s), kernel.W(q.head(count)), kernel.edge(), std::move(among)};
 }
 
-/// The same, found in the cloud.
+/// The same, found among all particles of the cloud.
 template <int dim>
 Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
                                const Point<dim>& place, double h) {

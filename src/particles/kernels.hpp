@@ -18,15 +18,15 @@ using base::chosen;
 using base::InvalidInput;
 using base::Pack;
 
-/// \defgroup kernels Kernels
-/// A kernel is written in the scaled offset s = (x − x_i)/h, in one dimension and for h = 1:
-/// \f$W_i(x) = W(s)/h\f$, \f$DW_i(x) = W'(s)/h^2\f$, \f$D^2W_i(x) = W''(s)/h^3\f$. Each has unit integral, is even, and
-/// vanishes for |s| ≥ support(), the Gaussian but for what is negligible. The scalar may be any real type, or a Pack.
+/// \defgroup kernels Kernels A kernel is written in the scaled offset s = (x − x_i)/h, in one dimension and
+/// for h = 1: \f$W_i(x) = W(s)/h\f$, \f$DW_i(x) = W'(s)/h^2\f$, \f$D^2W_i(x) = W''(s)/h^3\f$. Each has unit
+/// integral, is even, and vanishes for |s| ≥ support(); the Gaussian is negligible there. The scalar may be
+/// any real type, or a Pack.
 /// @{
 
 namespace detail {
 
-/// \f$\max(a, 0)^n\f$: splines written with it need no case distinctions.
+/// \f$\max(a, 0)^n\f$, with which splines are written without case distinctions.
 template <int n, class Scalar>
 Scalar truncated_power(const Scalar& a) {
     const Scalar positive = chosen(a > 0, a, Scalar(0));
@@ -40,7 +40,8 @@ Scalar sign(const Scalar& s) {
     return chosen(s > 0, Scalar(1), chosen(s < 0, Scalar(-1), Scalar(0)));
 }
 
-/// A function, since a variable for all scalars would be initialised in no known order.
+/// \f$1/\sqrt\pi\f$. It is a function because the order in which template variables are initialised is not
+/// defined.
 template <class Scalar>
 Scalar inverse_sqrt_pi() {
     if constexpr (std::is_floating_point_v<Scalar>)
@@ -56,8 +57,8 @@ Scalar inverse_sqrt_pi() {
 
 }  // namespace detail
 
-/// \f$W(s) = e^{-s^2}/\sqrt{\pi}\f$, the paper's kernel. It has no compact support; it is cut where \f$e^{-s^2}\f$ falls below
-/// the scalar's epsilon, s ≈ 6.0 in double precision.
+/// \f$W(s) = e^{-s^2}/\sqrt{\pi}\f$, the first paper's kernel. It has no compact support and is cut where
+/// \f$e^{-s^2}\f$ falls below the scalar's epsilon, at s ≈ 6.0 in double precision.
 struct Gaussian {
     static constexpr std::string_view name = "gaussian";
 
@@ -75,7 +76,7 @@ struct Gaussian {
     static Scalar DW(const Scalar& s) {
         return DW(s, W(s));
     }
-    /// The derivative where the value is known: it saves an exponential.
+    /// The derivative from a known value, which saves an exponential.
     template <class Scalar>
     static Scalar DW(const Scalar& s, const Scalar& W) {
         return -2 * s * W;
@@ -173,7 +174,8 @@ struct WendlandC2 {
     }
 };
 
-/// Wendland's C⁴ function of one dimension, \f$W(s) = \frac34(1-q)_+^5(1+5q+8q^2)\f$ with q = |s|/2, support 2h.
+/// Wendland's C⁴ function of one dimension, \f$W(s) = \frac34(1-q)_+^5(1+5q+8q^2)\f$ with q = |s|/2, support
+/// 2h.
 struct WendlandC4 {
     static constexpr std::string_view name = "wendland_c4";
 
@@ -206,7 +208,7 @@ using Kernel = std::variant<Gaussian, CubicSpline, QuinticSpline, WendlandC2, We
 
 /// @}
 
-/// Calls `visit(kernel)` for each kernel there is.
+/// Calls `visit(kernel)` for each kernel.
 template <class Visitor, std::size_t k = 0>
 void for_each_kernel(const Visitor& visit) {
     if constexpr (k < std::variant_size_v<Kernel>) {

@@ -21,7 +21,7 @@ using base::InvalidInput;
 using base::Pack;
 using base::shown;
 
-/// Most neighbours that a Pack has room for: its columns have a place on the stack.
+/// Largest number of neighbours of a Pack, whose columns lie on the stack.
 inline constexpr int most_in_pack = 64;
 
 /// One number per particle, or per neighbour.
@@ -29,10 +29,10 @@ template <class Scalar>
 using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1, 0,
                             std::is_same_v<Scalar, Pack> ? most_in_pack : Eigen::Dynamic, 1>;
 
-/// How much of the domain a particle stands for.
+/// Convention for the part of the domain that a particle represents.
 enum class Volumes {
     equal,     ///< the mean spacing δ, for every particle
-    partition  ///< the particle's cell, bounded by the midpoints to its neighbours and by the ends of the line
+    partition  ///< the particle's cell, between the midpoints to its neighbours or an end of the line
 };
 
 /// \throws InvalidInput for a name that no convention has
@@ -45,11 +45,11 @@ inline std::string name(Volumes volumes) {
     return volumes == Volumes::equal ? "equal" : "partition";
 }
 
-/// Which distance between consecutive particles a smoothing length is measured in.
+/// The distance between consecutive particles that is the unit of smoothing lengths.
 enum class Spacing {
     mean,
     largest,
-    local  ///< of each particle: the larger one of the distances to its two neighbours
+    local  ///< for each particle the larger one of the distances to its two neighbours
 };
 
 /// \throws InvalidInput for a name that no spacing has
@@ -59,7 +59,7 @@ inline Spacing spacing_named(std::string_view wanted) {
         {{"mean", Spacing::mean}, {"largest", Spacing::largest}, {"local", Spacing::local}});
 }
 
-/// A line of particles: positions in increasing order and the volume that each carries [length].
+/// A line of particles: positions in increasing order, and a volume for each particle [length].
 /// \tparam Scalar a real type
 template <class Scalar = double>
 class Line {
@@ -92,7 +92,7 @@ class Line {
     /// Mean distance δ between consecutive particles.
     [[nodiscard]] Scalar spacing() const { return length() / Scalar(size() - 1); }
 
-    /// The distance that a smoothing length is measured in: one number, or one for each particle.
+    /// The unit of smoothing lengths: one number for all particles, or one for each.
     [[nodiscard]] Column<Scalar> spacing(Spacing which) const {
         if (which == Spacing::mean) return Column<Scalar>::Constant(1, spacing());
         const Index N = size();

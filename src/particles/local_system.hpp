@@ -19,7 +19,7 @@ using base::shown;
 /// The particles of a neighbourhood do not determine the unknowns of a formulation.
 class SingularNeighbourhood : public FailedComputation {
   public:
-    /// \param reciprocal_condition what is no number counts as 0
+    /// \param reciprocal_condition NaN counts as 0
     explicit SingularNeighbourhood(double reciprocal_condition)
         : FailedComputation("the local system is singular (reciprocal condition " +
                             shown(reciprocal_condition > 0 ? reciprocal_condition : 0, 2) + ")") {}
@@ -39,8 +39,8 @@ Eigen::Matrix<Scalar, n, n> inverse(const Eigen::Matrix<Scalar, n, n>& A) {
     return A_inverse;
 }
 
-/// A sum that a formulation divides by, the 1 × 1 system.
-/// \throws SingularNeighbourhood where the sum vanishes against the sizes of its terms
+/// A sum that is a divisor, the 1 × 1 system.
+/// \throws SingularNeighbourhood where the sum is below 100 ε times the sum of its absolute terms
 template <class Terms>
 typename Terms::Scalar nonzero_sum(const Eigen::ArrayBase<Terms>& terms) {
     using Scalar = typename Terms::Scalar;

@@ -45,17 +45,18 @@ class Smoothing {
     [[nodiscard]] const Kernel& kernel() const { return kernel_; }
     [[nodiscard]] bool is_local() const { return h_.size() > 1; }
 
-    /// The smoothing length, the largest where each particle has its own.
+    /// The smoothing length; the largest, where each particle has its own.
     [[nodiscard]] const Scalar& h() const { return largest_; }
-    /// That of a particle.
+    /// The smoothing length of particle i.
     [[nodiscard]] const Scalar& h(Index i) const { return h_[is_local() ? i : 0]; }
-    /// Those of the particles of a Pack, from particle i on.
+    /// The smoothing lengths of the particles of a Pack, from particle i on.
     [[nodiscard]] Pack pack_of_h(Index i) const {
         return is_local() ? Pack::from(h_.data() + i) : Pack(h_[0]);
     }
 
-    /// Distance beyond which the kernel carries nothing. It stops short of the support's edge by √ε: a particle on the
-    /// very edge has no weight, and whether it counts as a neighbour must not depend on round-off.
+    /// Distance within which particles are neighbours: the radius of the support, less a fraction √ε. A
+    /// particle on the very edge has no weight, and round-off must not decide whether it counts as a
+    /// neighbour.
     [[nodiscard]] Scalar reach() const { return reach_of(h()); }
     [[nodiscard]] Scalar reach(Index i) const { return reach_of(h(i)); }
     [[nodiscard]] Pack pack_of_reaches(Index i) const { return pack_of_h(i) * reach_per_h_; }
@@ -72,12 +73,12 @@ class Smoothing {
     Scalar largest_, reach_per_h_;
 };
 
-/// What one particle sees of the others: plain local data, one entry per particle within reach, itself included.
+/// The particles within reach of one particle, itself included: plain local data, one entry for each of them.
 ///
-/// All lengths are in units of the smoothing length h. The papers' equations hold in every unit of length, so that
-/// formulations read as printed, while the local systems they solve are conditioned alike for every h. A weight for a
-/// k-th derivative that is computed here carries the unit \f$1/h^k\f$.
-/// \tparam Scalar a real type, or Pack: then each entry holds the neighbours at that place of several particles
+/// All lengths are in units of the smoothing length h. The papers' equations hold in every unit of length, so
+/// that formulations read as printed, and the condition of their local systems does not depend on h. Weights
+/// for a k-th derivative are in units of \f$1/h^k\f$.
+/// \tparam Scalar a real type, or Pack: then entry k holds the k-th neighbour of each of several particles
 template <class Scalar>
 struct Neighbourhood {
     Column<Scalar> r;   ///< offsets \f$(x_j - x_i)/h\f$
@@ -93,7 +94,7 @@ struct Range {
 };
 
 /// The particles within reach of particle i, itself included.
-/// \param guess where to look first, for example the answer for the particle before it
+/// \param guess where the search begins, for example the answer for the particle before it
 template <class Scalar>
 Range within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i,
                    const Range& guess) {
@@ -116,7 +117,7 @@ Range within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
     return {first - x, last - x};
 }
 
-/// The same for each particle of the line.
+/// The particles within reach of each particle of the line.
 template <class Scalar>
 std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing) {
     std::vector<Range> near(static_cast<std::size_t>(line.size()));
@@ -133,7 +134,7 @@ std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Sc
 
 namespace detail {
 
-/// DW at an offset where W is known, which saves some kernels an exponential.
+/// DW at an offset, from the known W where that saves an exponential.
 template <class Kernel, class Scalar>
 Scalar derivative(const Kernel& kernel, const Scalar& s, const Scalar& W) {
     if constexpr (requires { kernel.DW(s, W); })
@@ -149,17 +150,17 @@ template <class Scalar>
 Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i,
                                     const Range& near) {
     const Scalar per_h = 1 / smoothing.h(i);
-    Neighbourhood<Scalar> of_i;
-    of_i.r = (line.x().segment(near.first, near.size()) - line.x()[i]) * per_h;
-    of_i.V = line.V().segment(near.first, near.size()) * per_h;
+    Neighbourhood<Scalar> near_i;
+    near_i.r = (line.x().segment(near.first, near.size()) - line.x()[i]) * per_h;
+    near_i.V = line.V().segment(near.first, near.size()) * per_h;
     std::visit(
         [&](const auto& kernel) {
-            of_i.W = of_i.r.unaryExpr([&](const Scalar& s) { return kernel.W(s); });
-            of_i.DW = of_i.r.binaryExpr(
-                of_i.W, [&](const Scalar& s, const Scalar& W) { return detail::derivative(kernel, s, W); });
+            near_i.W = near_i.r.unaryExpr([&](const Scalar& s) { return kernel.W(s); });
+            near_i.DW = near_i.r.binaryExpr(
+                near_i.W, [&](const Scalar& s, const Scalar& W) { return detail::derivative(kernel, s, W); });
         },
         smoothing.kernel());
-    return of_i;
+    return near_i;
 }
 
 template <class Scalar>
@@ -167,31 +168,31 @@ Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Sc
     return neighbourhood(line, smoothing, i, within_reach(line, smoothing, i));
 }
 
-/// The neighbourhoods of the particles i, i + 1, … of a Pack, a lane each. All have the same number of entries: a particle that
-/// a lane does not reach is there without weight, with W = DW = V = 0.
-/// \param left, right how many particles on either side of its own a lane has entries for; all of them must exist
+/// The neighbourhoods of the particles i, i + 1, … of a Pack, one in each lane. All have the same number of
+/// entries: for particles that a lane does not reach, W = DW = V = 0.
+/// \param left, right numbers of entries on either side of the lane's own particle; these particles must
+///        exist
 inline Neighbourhood<Pack> neighbourhoods(const Line<double>& line, const Smoothing<double>& smoothing,
                                           Index i, Index left, Index right) {
     const Index size = left + 1 + right;
     const double *const x = line.x().data() + i, *const V = line.V().data() + i;
     const Pack per_h = 1 / smoothing.pack_of_h(i), reach = smoothing.pack_of_reaches(i);
     const Pack x_i = Pack::from(x), least = x_i - reach, most = x_i + reach;
-    Neighbourhood<Pack> of_each{Column<Pack>(size), Column<Pack>(size), Column<Pack>(size),
-                                Column<Pack>(size)};
+    Neighbourhood<Pack> all{Column<Pack>(size), Column<Pack>(size), Column<Pack>(size), Column<Pack>(size)};
     std::visit(
         [&](const auto& kernel) {
             for (Index k = 0; k < size; ++k) {
                 const Pack x_j = Pack::from(x + k - left), V_j = Pack::from(V + k - left);
                 const Pack r = (x_j - x_i) * per_h, W = kernel.W(r);
                 const auto reached = (x_j > least) & (x_j < most);
-                of_each.r[k] = r;
-                of_each.W[k] = chosen(reached, W, Pack(0));
-                of_each.DW[k] = chosen(reached, detail::derivative(kernel, r, W), Pack(0));
-                of_each.V[k] = chosen(reached, V_j * per_h, Pack(0));
+                all.r[k] = r;
+                all.W[k] = chosen(reached, W, Pack(0));
+                all.DW[k] = chosen(reached, detail::derivative(kernel, r, W), Pack(0));
+                all.V[k] = chosen(reached, V_j * per_h, Pack(0));
             }
         },
         smoothing.kernel());
-    return of_each;
+    return all;
 }
 
 }  // namespace particles

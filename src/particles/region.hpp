@@ -14,12 +14,12 @@ namespace particles {
 
 using base::Index;
 
-/// A straight part of a boundary; the region lies on the left of the way from one end to the other.
+/// A straight part of a boundary; the region lies to its left, seen along the way from one end to the other.
 struct Segment {
     Point<2> from, to;
 };
 
-/// A part of the edge of a circular hole, between two angles that increase [radian].
+/// A part of the edge of a circular hole, between two angles, the smaller one first [radian].
 struct Arc {
     Point<2> centre;
     double radius, from, to;
@@ -28,7 +28,7 @@ struct Arc {
 /// A smooth part of the boundary of a region.
 using Curve = std::variant<Segment, Arc>;
 
-/// A convex polygon, but for circular holes that its corners or sides may cut.
+/// A convex polygon with circular holes, which may cut its corners and sides.
 using Region = std::vector<Curve>;
 
 /// A point of a quadrature rule over an area or along a boundary.
@@ -40,7 +40,7 @@ struct QuadraturePoint {
 
 namespace detail {
 
-/// Lengths below this fraction of others are none: positions may come from a file with ten digits.
+/// Relative tolerance below which a length counts as zero: positions may come from a file with ten digits.
 constexpr double negligible = 1e-8;
 
 inline Point<2> direction(double angle) {
@@ -59,13 +59,13 @@ inline double angle_of(const Point<2>& v) {
 
 }  // namespace detail
 
-/// Unit outward normal of a boundary at one of its places.
+/// Unit outward normal of a boundary at a place on it.
 inline Point<2> normal_at(const Curve& curve, const Point<2>& x) {
     if (const auto* side = std::get_if<Segment>(&curve)) return detail::outward(*side);
     return (std::get<Arc>(curve).centre - x).normalized();
 }
 
-/// Ends of a boundary's part.
+/// Both ends of a part of the boundary.
 inline std::array<Point<2>, 2> ends(const Curve& curve) {
     if (const auto* side = std::get_if<Segment>(&curve)) return {side->from, side->to};
     const auto& [centre, radius, from, to] = std::get<Arc>(curve);
@@ -102,12 +102,13 @@ inline bool contains(const Region& region, const Point<2>& x, double size) {
 
 namespace detail {
 
-/// The part of a ray from a place of the region that lies in it: an interval, and a second one where the ray crosses a hole.
+/// The intervals of a ray, from a place in the region, that lie in the region: one, or two where the ray
+/// crosses a hole.
 inline std::vector<std::array<double, 2>> inside_along(const Region& region, const Point<2>& x,
                                                        const Point<2>& along, double reach) {
     std::vector<std::array<double, 2>> inside{{0, reach}};
     for (const Curve& curve : region) {
-        double enter = reach, leave = reach;  // where the ray is outside
+        double enter = reach, leave = reach;  // the ray is outside between these distances
         if (const auto* side = std::get_if<Segment>(&curve)) {
             const double approach = along.dot(outward(*side));
             const double distance = std::max((side->from - x).dot(outward(*side)), 0.0);
@@ -133,7 +134,8 @@ inline std::vector<std::array<double, 2>> inside_along(const Region& region, con
     return inside;
 }
 
-/// An angle at which the part of the disc along a ray changes its form. At a tangent to a hole it does so like a square root.
+/// An angle at which the interval of a ray in the region is not a smooth function of the angle. At a tangent
+/// to a hole it behaves like a square root.
 struct Break {
     double angle;
     bool tangent;
@@ -183,13 +185,13 @@ inline std::vector<Break> breaks(const Region& region, const Point<2>& x, double
 
 }  // namespace detail
 
-/// Gauss rule in polar coordinates over the part of a disc that lies in the region: the angles that see the region are cut
-/// into pieces on which the boundary is smooth (a whole disc, a half at a side, a quarter at a corner are one piece), each
-/// with its share of the angular points.
+/// Gauss rule in polar coordinates over the part of a disc that lies in the region. The angles of rays that
+/// meet the region are cut into pieces on which the boundary is smooth: a whole disc, a half at a side and a
+/// quarter at a corner are one piece. Each piece has its share of the angular points.
 /// \param x centre, in the region
 /// \param reach radius of the disc
-/// \param radial points along a ray
-/// \param angular points over all angles that see the region
+/// \param radial number of points along a ray
+/// \param angular number of points over all these angles
 /// \return points with weights that sum to the area
 inline std::vector<QuadraturePoint> polar_rule(const Region& region, const Point<2>& x, double reach,
                                                Index radial, Index angular) {
@@ -213,7 +215,7 @@ inline std::vector<QuadraturePoint> polar_rule(const Region& region, const Point
                                             std::lround(static_cast<double>(angular) * width / seen));
         const GaussRule across = gauss_rule(share);
         for (Index k = 0; k < share; ++k) {
-            // A square root at a tangent becomes smooth in t with angle − tangent = width t² .
+            // With angle − tangent = width t², a square root at a tangent is smooth in t.
             double t = across.x[k], weight = across.w[k] * width;
             if (from.tangent && to.tangent) {
                 weight *= 6 * t * (1 - t);

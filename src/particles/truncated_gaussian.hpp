@@ -10,7 +10,8 @@ namespace particles {
 using base::InvalidInput;
 using base::shown;
 
-/// The Gaussian that is lowered to vanish at the edge of its support, in one, two or three dimensions λ and for h = 1:
+/// The Gaussian, lowered so that it vanishes at the edge of its support, in λ = 1, 2 or 3 dimensions and for
+/// h = 1:
 /// \f[ W(s) = \frac{G}{\pi^{\lambda/2}}\left(e^{-|s|^2} - e^{-\rho^2}\right), \quad |s| \le \rho \f]
 /// G makes the integral over the support one. Evaluated in \f$q = |s|^2\f$, inside the support only.
 template <int dim>
@@ -36,16 +37,16 @@ class TruncatedGaussian {
         return 1 / (std::erf(rho_) - (2 * rho_ + 4 * rho_ * rho_ * rho_ / 3) * edge_ / sqrt_pi);
     }
 
-    /// W at places of squared distance q, an Eigen array; a place beyond the edge has none.
+    /// W at squared distances q, an Eigen array; zero beyond the edge.
     template <class Distances>
     [[nodiscard]] auto W(const Distances& q) const {
         return (((-q).exp() - edge_) * factor_).cwiseMax(0).eval();
     }
 
-    /// What was taken off, so that dW/dq = −(W + edge), with which ∂W/∂s = 2 s dW/dq.
+    /// The amount by which the Gaussian is lowered: dW/dq = −(W + edge), and ∂W/∂s = 2 s dW/dq.
     [[nodiscard]] double edge() const { return factor_ * edge_; }
 
-    /// One value.
+    /// W at one squared distance.
     [[nodiscard]] double at(double q) const {
         return q < rho_ * rho_ ? factor_ * (std::exp(-q) - edge_) : 0.0;
     }

@@ -70,7 +70,8 @@ struct BandedFactors<Scalar>::Library {
 
     [[nodiscard]] Vector solve(const Vector& b) const { return factors.solve(b.matrix().eval()).array(); }
 
-    /// Hager's estimate of ‖A⁻¹‖ in the 1-norm, with Higham's alternating vector beside it, as in LAPACK's dlacn2.
+    /// Hager's estimate of ‖A⁻¹‖ in the 1-norm, with Higham's alternating vector beside it, as in LAPACK's
+    /// dlacn2.
     [[nodiscard]] Scalar norm_of_inverse() {
         Numbers x = Numbers::Constant(N, 1 / Scalar(static_cast<double>(N)));
         Scalar estimate(0);
@@ -100,8 +101,8 @@ struct BandedFactors<double>::Library {
     Eigen::ArrayXi pivots;
     double norm = 0;
 
-    /// In band storage, column j of A stands in column j and its diagonal entry in row below + above; the factorisation fills
-    /// the first rows.
+    /// In band storage, column j of A stands in column j and its diagonal entry in row below + above; the
+    /// factorisation fills the first rows.
     Library(const Matrix& A, const Vector& scale) : N(static_cast<lapack_int>(A.rows())), pivots(N) {
         for (lapack_int i = 0; i < N; ++i) {
             const int *const column = A.innerIndexPtr(), *const start = A.outerIndexPtr();
@@ -133,7 +134,8 @@ struct BandedFactors<double>::Library {
         return b;
     }
 
-    /// Higham's estimate of ‖A⁻¹‖ in the 1-norm. The time of dgbcon, which gives the same estimate, grows with N².
+    /// Higham's estimate of ‖A⁻¹‖ in the 1-norm. The time of dgbcon, which gives the same estimate, grows
+    /// with N².
     [[nodiscard]] double norm_of_inverse() const {
         Vector x(N), v(N);
         Eigen::ArrayXi signs(N);

@@ -6,12 +6,12 @@
 /// Thin faces over libraries that solve linear systems and eigenvalue problems.
 namespace solvers {
 
-/// LU factors of a matrix whose entries lie near the diagonal, with row exchanges, after each row is scaled to a largest entry
-/// of 1: rows of boundary conditions and of equilibrium differ by powers of δ.
+/// LU factors of a matrix whose entries lie near the diagonal, with row exchanges, after each row is scaled
+/// to a largest entry of 1: rows of boundary conditions and of equilibrium differ by powers of δ.
 ///
-/// Double precision takes LAPACK's banded factorisation, other precisions Eigen's sparse one, which keeps the band when the
-/// unknowns keep their order. The result has the same bytes on any number of threads if BLAS uses one thread (see
-/// use_one_blas_thread()); more threads would not speed up a narrow band.
+/// Double precision takes LAPACK's banded factorisation, other precisions Eigen's sparse one, which keeps the
+/// band when the unknowns keep their order. The result has the same bytes on any number of threads if BLAS
+/// uses one thread (see use_one_blas_thread()); more threads would not speed up a narrow band.
 /// \tparam Scalar double, long double or base::Quad
 template <class Scalar = double>
 class BandedFactors {
@@ -28,10 +28,12 @@ class BandedFactors {
     /// \throws base::FailedComputation where b is not finite
     [[nodiscard]] Vector solve(const Vector& b) const;
 
-    /// Estimate of \f$1/(\|A\|\,\|A^{-1}\|)\f$ in the 1-norm, the rows of A scaled. It costs about five solutions.
+    /// Estimate of \f$1/(\|A\|\,\|A^{-1}\|)\f$ in the 1-norm, the rows of A scaled. It costs about five
+    /// solutions.
     [[nodiscard]] Scalar reciprocal_condition() const;
 
-    /// \throws base::FailedComputation with the reciprocal condition, where A is singular to working precision
+    /// \throws base::FailedComputation with the reciprocal condition, where A is singular to working
+    ///        precision
     void require_regular() const;
 
   private:

@@ -36,7 +36,8 @@ class Factors {
             fault_ = factors_.out_of_memory() ? "does not fit into memory" : "is singular";
             return;
         }
-        // Nearly every vector reveals a singular matrix; the right-hand side may be one of the few that do not.
+        // Nearly every vector reveals a singular matrix; the right-hand side may be one of the few that do
+        // not.
         const Eigen::VectorXd probe = Eigen::VectorXd::NullaryExpr(A.rows(), [](Eigen::Index k) {
             return std::cos(static_cast<double>(k) * static_cast<double>(k));
         });

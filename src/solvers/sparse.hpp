@@ -7,8 +7,9 @@
 
 namespace solvers {
 
-/// Scales each row of A to a largest entry of 1, and with it the right-hand side and the row of `nearest`: unscaled, rows of boundary
-/// conditions and of equilibrium differ by many powers of ten and spoil the choice of pivots.
+/// Scales each row of A to a largest entry of 1, and with it the right-hand side and the row of `nearest`:
+/// unscaled, rows of boundary conditions and of equilibrium differ by many powers of ten and spoil the choice
+/// of pivots.
 /// \param nearest as many rows as A, or none
 void scale_rows(SparseRows& A, Eigen::VectorXd& b, SparseRows& nearest);
 
@@ -19,18 +20,18 @@ double relative_residual(const SparseRows& A, const Eigen::VectorXd& x, const Ei
 /// Relative residual below which a system counts as solved.
 inline constexpr double largest_residual = 1e-12;
 
-/// Solves \f$A x = b\f$ by GMRES. The preconditioner is the LU factorisation of the same equations restricted to the nearest
-/// particles. Both matrices agree on whatever varies slowly, so that the number of iterations does not grow with the number of
-/// particles. GMRES reduces the preconditioned residual, which is as large as the error of x. paper/batra2008.md says how the nearest
-/// particles are chosen and what else was tried.
+/// Solves \f$A x = b\f$ by GMRES. The preconditioner is the LU factorisation of the same equations restricted
+/// to the nearest particles. Both matrices agree on whatever varies slowly, so that the number of iterations
+/// does not grow with the number of particles. GMRES reduces the preconditioned residual, which is as large
+/// as the error of x. paper/batra2008.md says how the nearest particles are chosen and what else was tried.
 /// \param nearest its rows scaled as those of A
-/// \return nothing where the iteration does not converge or one of the matrices is singular: a motion that costs nothing without
-///         the far neighbours costs nothing with them
+/// \return nothing where the iteration does not converge or one of the matrices is singular: a motion without
+///         energy on the nearest neighbours has none on all of them
 std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
                                         const SparseRows& nearest);
 
-/// Solves \f$A x = b\f$ after scaling the rows: by iterated() if the same equations on the nearest particles are given, and by a
-/// sparse factorisation of A if they are not or the iteration fails.
+/// Solves \f$A x = b\f$ after scaling the rows: by iterated() if the same equations on the nearest particles
+/// are given, and by a sparse factorisation of A if they are not or the iteration fails.
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
 /// \throws base::FailedComputation where A is singular to working precision or the residual stays large
 Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest = {});

@@ -12,8 +12,8 @@ namespace solvers {
 /// \throws base::FailedComputation where an entry is not finite or the iteration does not converge
 std::vector<std::complex<double>> eigenvalues(Eigen::MatrixXd K);
 
-/// All eigenvalues of \f$K x = \lambda M x\f$, both matrices symmetric and M positive definite, in increasing order, by LAPACK's
-/// dsygv.
+/// All eigenvalues of \f$K x = \lambda M x\f$, both matrices symmetric and M positive definite, in increasing
+/// order, by LAPACK's dsygv.
 /// \throws base::FailedComputation where M is not positive definite or the iteration does not converge
 std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::MatrixXd M);
 
@@ -23,8 +23,8 @@ struct Eigenpairs {
     Eigen::MatrixXcd vectors;
 };
 
-/// The largest eigenvalues of K⁻¹, whose inverses are the eigenvalues of K nearest to zero, with their eigenvectors: Arnoldi's
-/// method with implicit restarts (Spectra).
+/// The largest eigenvalues of K⁻¹, whose inverses are the eigenvalues of K nearest to zero, with their
+/// eigenvectors: Arnoldi's method with implicit restarts (Spectra).
 /// \param factors of K \param N rows of K \param count at most N − 2
 /// \throws base::FailedComputation where the iteration does not converge
 Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count);

@@ -10,7 +10,8 @@ using base::Quad;
 TEST_CASE("quad: 113 bits, in numbers, functions, kernels and local systems") {
     CHECK(std::numeric_limits<Quad>::digits == 113);
     CHECK(abs(exp(Quad(1)) * exp(Quad(-1)) - 1) < 1e-33);
-    // The integral of the Gaussian is one to the precision of the scalar: sums over a lattice converge beyond all powers.
+    // The integral of the Gaussian is one to the precision of the scalar: sums over a lattice converge beyond
+    // all powers.
     Quad sum = 0;
     for (int k = -100; k <= 100; ++k) sum += particles::Gaussian::W(Quad(k) / 5) / 5;
     CHECK(abs(sum - 1) < 1e-32);

@@ -61,8 +61,8 @@ double lens(double a, double b, double apart) {
     return segment(a, chord) + segment(b, apart - chord);
 }
 
-/// The error of an area must fall to `final` as the number of points doubles from 4 to 64, and never rise: but for the ten
-/// digits of GSL's rules of many points.
+/// The error of an area must fall to `final` as the number of points doubles from 4 to 64, and never rise:
+/// but for the ten digits of GSL's rules of many points.
 void check_converges(const Region& region, const Point<2>& x, double radius, double exact, double final) {
     constexpr double digits = 3e-10;
     double last = HUGE_VAL;
@@ -164,7 +164,8 @@ TEST_CASE(
     "lens") {
     const double b = 0.5;
     const Region region = with_hole(b);
-    // Where the rays that touch the hole end as they do, at sqrt(b² + reach²) = 0.943, a narrow piece converges slowly.
+    // Where the rays that touch the hole end as they do, at sqrt(b² + reach²) = 0.943, a narrow piece
+    // converges slowly.
     for (const auto& [away, final] : {std::pair{0.52, 1e-9},
                                       {0.7, 1e-9},
                                       {0.9, 1e-9},

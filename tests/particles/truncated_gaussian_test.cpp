@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array<double, 6> scaling_factors{0.5, 1.0, 2.1, 3.0, 4.0, 6.0};
 
-/// Integral over the support by Simpson's rule along the radius. \param surface of the unit sphere of so many dimensions
+/// Integral over the support by Simpson's rule along the radius. \param surface of the unit sphere of so many
+/// dimensions
 template <int dim>
 double integral(const TruncatedGaussian<dim>& kernel, double surface) {
     constexpr int steps = 2000;

@@ -55,7 +55,8 @@ TEST_CASE("spectrum: a matrix that is made of its eigenvalues, pairs and real on
     for (const int N : {3, 8, 41, 100}) {
         CAPTURE(N);
         support::Draws draw(1);
-        // K = Q S P Λ P S⁻¹ Q with reflections Q and P and a diagonal S: the condition of the eigenvectors is that of S.
+        // K = Q S P Λ P S⁻¹ Q with reflections Q and P and a diagonal S: the condition of the eigenvectors is
+        // that of S.
         Eigen::MatrixXd K = Eigen::MatrixXd::Zero(N, N);
         std::vector<std::complex<double>> exact;
         for (int k = 0; k + 1 < N; k += 2) {
@@ -93,7 +94,8 @@ TEST_CASE("spectrum: a symmetric problem that is made of its eigenvalues has the
         reflect(K, draw);
         const auto found = solvers::symmetric_eigenvalues(L * K * L.transpose(), L * L.transpose());
         REQUIRE(found.size() == exact.size());
-        // All eigenvalues lie in [−1, 1], and ‖L‖ ‖L⁻¹‖ < 1.5 / 0.5 = 3, since the entries below the diagonal have a norm below 1/2.
+        // All eigenvalues lie in [−1, 1], and ‖L‖ ‖L⁻¹‖ < 1.5 / 0.5 = 3, since the entries below the diagonal
+        // have a norm below 1/2.
         for (std::size_t k = 0; k < exact.size(); ++k)
             CHECK(std::abs(found[k] - exact[k]) < 3 * 3 * N * std::numeric_limits<double>::epsilon());
     }
