@@ -1,5 +1,5 @@
-# `make help` lists the targets: each one's line of help stands after two hashes, here and in make/*.mk.
-# Variables: BUILD=folder for everything that is built (default build), CXX, OPTIMISE, SANITIZE=address,undefined or thread.
+# `make help` lists the targets: each one's line of help stands after two hashes, here and in make/.
+# Variables: BUILD=folder for what is built (default build), CXX, OPTIMISE, SANITIZE=address,undefined or thread.
 SHELL := /bin/bash
 .ONESHELL:
 .SHELLFLAGS := -eu -o pipefail -c
@@ -41,20 +41,20 @@ ifeq ($(shell uname -m),x86_64)
 export OPENBLAS_CORETYPE := Nehalem
 endif
 
-# A new source file is found by its folder; the folders that compile longest come first, so that no long file is left for the
-# end. What decides the claims is a library apart, which no figure needs.
+# A new source file is found by its folder. The folders that compile longest come first, so that no long file is left
+# for the end. What decides the claims is a library apart, which no figure needs.
 bin := $(BUILD)/bin
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 sources := $(shell find src tests -name '*.cpp' | LC_ALL=C sort)
 objects_in = $(patsubst %.cpp,$(BUILD)/%.o,$(foreach files,$(1),$(filter $(files),$(sources))))
-claim_objects := $(call objects_in,$(foreach paper,$(papers),$(addprefix src/$(paper)/,claims/% claims.cpp choices.cpp)))
-method_objects := $(filter-out $(claim_objects),$(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
+claim_objects := $(call objects_in,$(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)))
+method_objects := $(filter-out $(claim_objects),\
+                    $(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
 tool_objects := $(call objects_in,src/expressions/% src/command_line/% src/report/%)
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
 programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter src/programs/%,$(sources)))
-refusals := $(programs:$(bin)/%=$(bin)/refusals/%)
 tests := $(filter-out $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/%),$(call objects_in,tests/%))
 
 .PHONY: help setup build data figures check claims clean
@@ -100,7 +100,7 @@ $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	echo "compile $<"
 	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
 	mv $@.tmp.o $@
-# Tests compile a sixth faster at -O1, and run as long. --plot finds the scripts of the figures in the folder of the source.
+# Tests compile a sixth faster at -O1, and run as long. --plot finds the figures' scripts in the folder of the source.
 $(tests): CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
 $(BUILD)/src/command_line/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 
@@ -114,14 +114,11 @@ $(BUILD)/lib%.a:
 
 $(programs): $(bin)/%: $(BUILD)/src/programs/%.o
 $(bin)/check: $(tests) | $(refusals)
-# Each program once more, with a main that calls the program's own again and again.
-$(refusals): $(bin)/refusals/%: $(BUILD)/src/programs/%.o $(BUILD)/tests/refusals/main.o $(claims)
-$(refusals): more_libraries := -Wl,--wrap=main
 $(bin)/check $(bin)/claims $(bin)/choices $(bin)/walkthrough: $(claims)
 $(programs) $(refusals) $(bin)/check $(bin)/bench: $(tools) $(methods)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(filter $(claims),$^) $(tools) $(methods) $(LDLIBS) $(more_libraries) -o $@.tmp.bin
+	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(filter $(claims),$^) $(tools) $(methods) $(LDLIBS) $(LDFLAGS) -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,4 +1,4 @@
-# The walkthrough: generated pages, Doxygen, whose every warning is an error, and a copy of the parts of MathJax that it needs.
+# The walkthrough: generated pages, Doxygen (a warning is an error), and the parts of MathJax that it needs.
 .PHONY: doc check-doc
 doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
 
@@ -6,7 +6,8 @@ check-doc: doc ## open every page of the walkthrough in a browser, and fail on w
 	@bash doc/check $(BUILD)/doc/html
 
 mathjax := /usr/share/javascript/mathjax
-walkthrough := doc/walkthrough.md $(filter-out %.md,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) $(shell find tests -name '*_test.cpp')
+walkthrough := doc/walkthrough.md $(filter-out %.md,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) \
+               $(filter %_test.cpp,$(sources))
 $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
@@ -14,7 +15,8 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figu
 	for figure in $(figures:figures/%=%); do cp "figures/$$figure" "$(BUILD)/doc/figures/$${figure/\//_}"; done
 	BUILD=$(BUILD) doxygen doc/Doxyfile
 	rm -f $(BUILD)/doc/html/*-members.html
-	sed -i -E 's| (Namespace\|Struct\|Class\|Struct Template\|Class Template) Reference</div>|</div>|; s@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
+	sed -i -E -e 's@ (Namespace|Struct|Class|Struct Template|Class Template) Reference</div>@</div>@' \
+	    -e 's@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
 	sed -n 's|.*relpath^\(namespace[^"]*\)">\(.*\)</a>.*|\1 \2|p' doc/header.html | while read -r page title; do
 	    sed -i "s|<div class=\"title\">.*</div></div>|<div class=\"title\">$$title</div></div>|" "$(BUILD)/doc/html/$$page"
 	done

@@ -1,9 +1,14 @@
-# Checks beyond `make check`. Where one compiles with flags of its own, make calls itself with a folder of its own; such a recipe
-# does nothing else, because make -n runs it.
+# Checks beyond `make check`. A check with flags of its own is compiled into a folder of its own, by a recipe that
+# calls make and does nothing else, because make -n runs it.
 .PHONY: bench check-interrupts check-environments valgrind compilers fresh fuzz mutants lint coverage verify
 .PHONY: bench-build mutants-build coverage-build fuzz-build
 
-verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare the computed data with the committed, see that figures are whole
+# Each program with a main that calls the program's own main for each of many invocations.
+refusals := $(programs:$(bin)/%=$(bin)/refusals/%)
+$(refusals): $(bin)/refusals/%: $(BUILD)/src/programs/%.o $(BUILD)/tests/refusals/main.o $(claims)
+$(refusals): LDFLAGS := -Wl,--wrap=main
+
+verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare data with the committed, see that figures are whole
 	@bash tests/verify $(BUILD) $(tables) $(figures)
 
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: no unfinished file may look finished
@@ -15,7 +20,7 @@ check-environments: build ## try a decimal comma, missing packages, a path with 
 valgrind: build ## run each program once under valgrind
 	@bash tests/valgrind $(BUILD)
 
-compilers: ## compute all data with other compilers and flags, in copies of the last commit, and compare them with the committed
+compilers: ## compute all data with other compilers and flags, and compare them with the committed
 	@bash tests/compilers
 
 fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
@@ -24,7 +29,8 @@ fresh: ## try the README's two commands on an empty Debian 12, in a folder that 
 # clang-tidy reads the source files of src/ with all the headers that they include; cppcheck reads the tests, too.
 all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
 all_sources := $(filter src/%,$(sources))
-lint: $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy) ## compile every header alone, then clang-tidy and cppcheck
+linted := $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy)
+lint: $(linted) ## compile every header alone, then clang-tidy and cppcheck
 	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt \
 	    --error-exitcode=1 --quiet -j $(shell nproc) -Isrc -I. src tests
 	echo "$(words $(all_headers)) headers compile alone; clang-tidy and cppcheck are content with $(words $(all_sources)) files"
@@ -35,12 +41,14 @@ $(BUILD)/lint/%.alone: % $(BUILD)/flags
 $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "read $<"
-	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log || { cat $@.log >&2; exit 1; }
+	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log ||
+	    { cat $@.log >&2; exit 1; }
 	touch $@
 
 # The tests of the sections are compiled again for each mutant, by clang++ in half of g++'s time.
 mutated := $(shell sed -nE 's|^([a-z0-9_/]+)\.[ch]pp$$|\1|p' tests/mutants.txt)
-mutable := $(filter-out %_test.o,$(tests)) $(mutated:%=$(BUILD)/tests/%_test.o) $(method_objects) $(call objects_in,src/report/%)
+mutable := $(filter-out %_test.o,$(tests)) $(mutated:%=$(BUILD)/tests/%_test.o) $(method_objects) \
+           $(call objects_in,src/report/%)
 mutants-build:
 	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" \
 	    $(mutable:$(BUILD)/%=$(BUILD)/mutants/%)
@@ -57,15 +65,16 @@ coverage: coverage-build ## run the tests on counting code; fail where a line of
 	GCOV_ERROR_FILE=/dev/null $(BUILD)/coverage/bin/check
 	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/' --exclude-throw-branches \
 	    --html-details $(BUILD)/coverage/index.html --print-summary > $(BUILD)/coverage/summary.txt
-	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/.*/section_' --filter 'src/.*/limit_stencils' \
+	gcovr --root . --object-directory $(BUILD)/coverage --filter 'src/.*/section_' \
+	    --filter 'src/asprone2010/(limit_stencils|leading_error|round_off|symbol)' \
 	    --exclude-lines-by-pattern 'struct .*' --fail-under-line 100
 
 # What reads a user's text, compiled with the sanitizers and the fuzzer. SECONDS is the time for each reader.
 SECONDS ?= 60
 readers := expression positions table
 fuzz-build:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzzing CXX=clang++ CXXFLAGS="-std=c++20 -O1 -g -fsanitize=fuzzer-no-link,address,undefined \
-	    -fno-sanitize-recover=all" $(readers:%=$(BUILD)/fuzzing/bin/fuzz_%)
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzzing CXX=clang++ $(readers:%=$(BUILD)/fuzzing/bin/fuzz_%) \
+	    CXXFLAGS="-std=c++20 -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all"
 fuzz: fuzz-build ## feed random input to what reads expressions, positions and tables, SECONDS=60 each
 	@bash tests/fuzz $(BUILD)/fuzzing $(SECONDS) $(readers)
 read := $(BUILD)/libreaders.a
@@ -76,13 +85,13 @@ $(readers:%=$(bin)/fuzz_%): $(bin)/fuzz_%: $(BUILD)/tests/fuzzing/%.o $(read)
 	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $^ $(LDLIBS) -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
-# Benchmarks are compiled as fast as the compiler can make them for this machine. MOST_1D and MOST_2D: the most particles.
+# Benchmarks are compiled for this machine. MOST_1D and MOST_2D are the largest numbers of particles.
 MOST_1D ?= 10000000
 MOST_2D ?= 100000
 bench-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench $(BUILD)/bench/bin/bench \
 	    OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized"
-bench: bench-build ## measure speed against the machine's limits and against NumPy, into data/benchmarks and figures/benchmarks
+bench: bench-build ## measure speed beside the machine's limits and NumPy, into data/ and figures/benchmarks
 	@bash tests/benchmarks/run $(BUILD)/bench $(MOST_1D) $(MOST_2D)
 $(bin)/bench: $(call objects_in,tests/benchmarks/%)
-$(bin)/bench: more_libraries := -lbenchmark
+$(bin)/bench: LDFLAGS := -lbenchmark
