@@ -14,7 +14,8 @@ Scalar number(const std::string& text);
 /// The program of a function that is smooth on [0, 1]. \throws base::InvalidInput as smooth() does
 Program smooth_program(const std::string& option, const std::string& text);
 
-/// An operation on one or two jets. Functions go by the name that is typed, operators by what messages call their result.
+/// An operation on one or two jets. The name of a function is what one types; that of an operator is what
+/// messages call its result.
 template <class T>
 struct Operation {
     std::string_view name;

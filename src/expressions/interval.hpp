@@ -10,9 +10,10 @@
 
 namespace expressions {
 
-/// The numbers from `lower` to `upper`. A function of an interval returns one that holds the function's value at every number of
-/// its argument, also as floating-point arithmetic computes it: bounds are rounded outwards. Where the function is not defined on
-/// the whole argument, or not bounded by numbers of double precision, the result is everything().
+/// The numbers from `lower` to `upper`. A function of an interval returns an interval that contains the
+/// function's value at every number of its argument, exact or computed in floating point: bounds are rounded
+/// outwards. Where the function is not defined on the whole argument, or its values exceed double precision,
+/// the result is everything().
 struct Interval {
     double lower, upper;
 
@@ -53,7 +54,7 @@ inline Interval bounded(double lower, double upper) {
 inline Interval widened(double lower, double upper) {
     return bounded(below(below(lower)), above(above(upper)));
 }
-/// What is left of an interval within bounds that are known otherwise.
+/// The part of an interval between bounds that are known otherwise.
 inline Interval clipped(const Interval& a, double lower, double upper) {
     return is_bounded(a) ? Interval{std::max(a.lower, lower), std::min(a.upper, upper)} : a;
 }
@@ -62,7 +63,7 @@ inline Interval operator-(const Interval& a) {
     return {-a.upper, -a.lower};
 }
 
-/// The sum. A bound that is exact is not moved: 1 − x begins at 0 for x in [0, 1], and not before.
+/// The sum. An exact bound is not rounded: for x in [0, 1], the lower bound of 1 − x is 0.
 inline Interval operator+(const Interval& a, const Interval& b) {
     const auto error = [](double p, double q, double sum) {
         const double rounded_q = sum - p;
@@ -76,10 +77,10 @@ inline Interval operator-(const Interval& a, const Interval& b) {
     return a + -b;
 }
 
-/// Products and quotients below this size are inexact, whatever their error is computed to be.
+/// Size below which a product counts as inexact: its computed error may underflow to zero.
 inline constexpr double smallest_exact = 1e-280;
 
-/// The product; a bound that is exact is not moved.
+/// The product. An exact bound is not rounded.
 inline Interval operator*(const Interval& a, const Interval& b) {
     if (!is_bounded(a) || !is_bounded(b)) return everything();
     Interval product{infinity, -infinity};
@@ -93,7 +94,7 @@ inline Interval operator*(const Interval& a, const Interval& b) {
     return bounded(product.lower, product.upper);
 }
 
-/// The quotient; a bound that is exact is not moved.
+/// The quotient. An exact bound is not rounded.
 inline Interval operator/(const Interval& a, const Interval& b) {
     if (!is_bounded(a) || !is_bounded(b) || contains(b, 0)) return everything();
     Interval quotient{infinity, -infinity};
@@ -111,7 +112,7 @@ inline Interval square(const Interval& a) {
     return clipped(a * a, 0, infinity);
 }
 
-/// A function that increases.
+/// The bounds of an increasing function.
 inline Interval increasing(const Interval& a, double (*f)(double)) {
     return is_bounded(a) ? widened(f(a.lower), f(a.upper)) : everything();
 }
@@ -126,7 +127,7 @@ inline Interval sqrt(const Interval& a) {
     return a.lower >= 0 ? clipped(increasing(a, std::sqrt), 0, infinity) : everything();
 }
 
-/// The power with one whole exponent. A negative one needs a base without zero; 0^0 has no value.
+/// The power with a whole exponent. With a negative exponent the base must not contain 0; 0^0 has no value.
 inline Interval whole_power(const Interval& a, double n) {
     if (n == 0 && a != Interval(0)) return Interval(1);
     if (n == 2) return square(a);
@@ -137,8 +138,8 @@ inline Interval whole_power(const Interval& a, double n) {
     const Interval power = widened(least, std::max(first, last));
     return even || a.lower >= 0 ? clipped(power, 0, infinity) : power;
 }
-/// The power with any exponents, of a base without negative numbers. Its logarithm p log a is linear in p and in log a:
-/// bounds lie at the corners.
+/// The power with real exponents; the base must not be negative. Its logarithm p log a is linear in p and in
+/// log a, so that the bounds lie at corners.
 inline Interval real_power(const Interval& a, const Interval& p) {
     if (a.lower < 0 || (a.lower == 0 && p.lower <= 0)) return everything();
     const auto [least, largest] = std::minmax({std::pow(a.lower, p.lower), std::pow(a.lower, p.upper),
@@ -152,7 +153,8 @@ inline Interval pow(const Interval& a, const Interval& p) {
     return p.lower >= 0 && a.lower >= -1 && a.upper <= 1 ? clipped(power, -1, 1) : power;
 }
 
-/// Sine or cosine: it departs from its value in the middle no farther than its argument does, and stays within ±1.
+/// Sine or cosine: it differs from its value in the middle by no more than its argument does, and stays
+/// within ±1.
 inline Interval wave(const Interval& a, double (*f)(double)) {
     if (!is_bounded(a)) return everything();
     const double middle = a.lower + (a.upper - a.lower) / 2;
@@ -167,7 +169,7 @@ inline Interval cos(const Interval& a) {
     return wave(a, std::cos);
 }
 
-/// The tangent, on one of its branches.
+/// The tangent, on one branch.
 inline Interval tan(const Interval& a) {
     const auto branch = [](double x) { return std::round(x / std::numbers::pi); };
     const double rounding = std::max(std::abs(a.lower), std::abs(a.upper)) * 1e-15;
@@ -184,7 +186,8 @@ inline Interval atan(const Interval& a) {
     return increasing(a, std::atan);
 }
 
-/// The angle of the points (x, y) of a box that does not touch the cut y = 0, x ≤ 0: its bounds lie at corners.
+/// The angle of the points (x, y) of a box, which must not touch the cut y = 0, x ≤ 0. Its bounds lie at
+/// corners.
 inline Interval atan2(const Interval& y, const Interval& x) {
     if (!is_bounded(x) || !is_bounded(y) || (contains(y, 0) && x.lower <= 0)) return everything();
     const auto [least, largest] = std::minmax({std::atan2(y.lower, x.lower), std::atan2(y.lower, x.upper),
@@ -204,14 +207,15 @@ inline Interval tanh(const Interval& a) {
     return clipped(increasing(a, std::tanh), -1, 1);
 }
 
-/// The smaller of two. It has a kink where they are equal: unless one is the smaller everywhere, nothing is known of derivatives.
+/// The smaller of two. It has a kink where they are equal: derivatives are known only if one is smaller
+/// everywhere.
 inline Jet<Interval> min(const Jet<Interval>& a, const Jet<Interval>& b) {
     if (a.value.upper < b.value.lower) return a;
     if (b.value.upper < a.value.lower) return b;
     return {bounded(std::min(a.value.lower, b.value.lower), std::min(a.value.upper, b.value.upper)),
             everything(), everything()};
 }
-/// The larger of two, with the same caution.
+/// The larger of two. Derivatives are known only if one is larger everywhere.
 inline Jet<Interval> max(const Jet<Interval>& a, const Jet<Interval>& b) {
     return -min(-a, -b);
 }

@@ -4,8 +4,8 @@
 
 namespace expressions {
 
-/// A value with its first two derivatives, and the rules by which they pass from arguments to results. Each rule is written once
-/// and holds for double, long double, base::Quad and Interval.
+/// A value with its first two derivatives. Functions of jets apply the rules of differentiation, each written
+/// once for double, long double, base::Quad and Interval.
 template <class T>
 struct Jet {
     T value, first = T(0), second = T(0);
@@ -16,8 +16,8 @@ bool is_zero(const T& number) {
     return number == T(0);
 }
 
-/// The product \f$a\,b\f$, which is zero where one factor is, even if the other is not finite: \f$x^1\f$ has the second derivative
-/// \f$1 \cdot 0 \cdot x^{-1}\f$, also at x = 0.
+/// The product \f$a\,b\f$, which is zero if a factor is zero, even where the other is not finite: the second
+/// derivative of \f$x^1\f$, \f$1 \cdot 0 \cdot x^{-1}\f$, is zero at x = 0, too.
 template <class T>
 T times(const T& a, const T& b) {
     return is_zero(a) || is_zero(b) ? T(0) : T(a * b);
@@ -82,8 +82,8 @@ Jet<T> sqrt(const Jet<T>& a) {
     return chain<T>(a, f, Df, -Df / (T(2) * a.value));
 }
 
-/// With a constant exponent p, \f$(a^p)' = p\,a^{p-1}a'\f$, and the base may be zero or negative; with another, \f$a^b = e^g\f$,
-/// \f$g = b \log a\f$, hence \f$(a^b)'' = a^b(g'' + g'^2)\f$.
+/// For a constant exponent p, \f$(a^p)' = p\,a^{p-1}a'\f$, where the base may be zero or negative. Otherwise
+/// \f$a^b = e^g\f$ with \f$g = b \log a\f$, hence \f$(a^b)'' = a^b(g'' + g'^2)\f$.
 template <class T>
 Jet<T> pow(const Jet<T>& a, const Jet<T>& b) {
     using std::pow;
@@ -151,7 +151,8 @@ Jet<T> tanh(const Jet<T>& a) {
     return chain<T>(a, f, Df, -T(2) * f * Df);
 }
 
-/// \f$h = \sqrt{a^2 + b^2}\f$: from \f$h^2 = a^2 + b^2\f$, \f$hh' = aa' + bb'\f$, \f$hh'' = aa'' + a'^2 + bb'' + b'^2 - h'^2\f$.
+/// The distance \f$h = \sqrt{a^2 + b^2}\f$: \f$hh' = aa' + bb'\f$, hence
+/// \f$hh'' = aa'' + a'^2 + bb'' + b'^2 - h'^2\f$.
 template <class T>
 Jet<T> hypot(const Jet<T>& a, const Jet<T>& b) {
     using std::sqrt;
@@ -163,8 +164,8 @@ Jet<T> hypot(const Jet<T>& a, const Jet<T>& b) {
                 h};
 }
 
-/// The angle \f$\theta\f$ of the point (x, y): \f$\theta' = q/r^2\f$ with \f$q = xy' - yx'\f$ and \f$r^2 = x^2 + y^2\f$,
-/// hence \f$\theta'' = (q' - \theta'\,(r^2)')/r^2\f$.
+/// The angle \f$\theta\f$ of the point (x, y): \f$\theta' = q/r^2\f$ with \f$q = xy' - yx'\f$ and
+/// \f$r^2 = x^2 + y^2\f$, hence \f$\theta'' = (q' - \theta'\,(r^2)')/r^2\f$.
 template <class T>
 Jet<T> atan2(const Jet<T>& y, const Jet<T>& x) {
     using std::atan2;

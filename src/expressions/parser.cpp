@@ -1,12 +1,14 @@
 #include "expressions/parser.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <locale>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "expressions/evaluator.hpp"
@@ -63,7 +65,7 @@ std::string quoted(std::string text) {
     if (text.size() > longest) {
         std::size_t end = longest;
         while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
-            --end;  // whole characters
+            --end;  // keep characters of several bytes whole
         text.resize(end);
         text += "...";
     }
@@ -87,12 +89,13 @@ std::string function_names() {
     return names;
 }
 
-/// Reads an expression from left to right by recursive descent. Each rule returns the step that holds its result.
+/// Reads an expression from left to right by recursive descent. Each rule returns the step that holds its
+/// result.
 class Parser {
   public:
     Parser(std::string_view text, const std::vector<std::string>& variables)
         : text_(text), variables_(variables) {
-        for (const std::string& variable : variables) known_ += variable + ", ";
+        for (const std::string& variable : variables) variable_names_ += variable + ", ";
     }
 
     Program program() {
@@ -136,7 +139,7 @@ class Parser {
         return add({Step::Kind::number, program_.numbers.size() - 1}, bounds);
     }
 
-    /// Adds an operation. One on constants must have a value.
+    /// Adds an operation on steps a and b. The result of an operation on constants must be a number.
     std::size_t add(std::string_view name, std::size_t at, std::size_t a, std::size_t b) {
         const std::size_t operation = operation_named(name);
         const Step step{Step::Kind::operation, operation, a, b};
@@ -194,11 +197,11 @@ class Parser {
         const char first = letter();
         if (is_digit(first) || (first == '.' && digit_at(at_ + 1))) return decimal();
         if (is_letter(first)) return name();
-        if (!take('(')) fail("a number, " + known_ + "a function or '(' expected");
+        if (!take('(')) fail("a number, " + variable_names_ + "a function or '(' expected");
         return closed();
     }
 
-    /// What is left of a pair of parentheses.
+    /// A sum and the parenthesis that closes it.
     std::size_t closed() {
         const std::size_t inner = sum();
         if (!take(')')) {
@@ -246,7 +249,7 @@ class Parser {
         const std::size_t operation = operation_named(word);
         if (operation == operations<Interval>().size())
             fail("there is no " + quoted(word), start,
-                 "; choose among " + known_ + "pi, e" + function_names());
+                 "; choose among " + variable_names_ + "pi, e" + function_names());
         if (!take('(')) fail("'(' expected after " + word);
         if (operations<Interval>()[operation].arguments == 1) return add(word, start, closed());
         const std::size_t first = sum();
@@ -256,17 +259,29 @@ class Parser {
 
     std::string_view text_;
     const std::vector<std::string>& variables_;
-    std::string known_;  // variables, each with a comma behind
+    std::string variable_names_;  // each with a comma behind
     std::size_t at_ = 0;
     int depth_ = 0;
     Program program_;
     std::vector<std::optional<Interval>> constants_;
 };
 
-/// How many of f, f′, f″, counted from the first, are bounded over an interval of x.
-int bounded_orders(const Evaluator<Interval>& evaluator, const Interval& x) {
-    const auto [f, Df, D2f] = evaluator({&x, 1});
-    return !is_bounded(f) ? 0 : !is_bounded(Df) ? 1 : !is_bounded(D2f) ? 2 : 3;
+/// How many of f, f′, f″, counted from the first, are bounded.
+int bounded_orders(const Jet<Interval>& f) {
+    return !is_bounded(f.value) ? 0 : !is_bounded(f.first) ? 1 : !is_bounded(f.second) ? 2 : 3;
+}
+
+/// The step at which a kink arises: min or max of two functions that may be equal.
+const Operation<Interval>* kink(const Program& program, const std::vector<Jet<Interval>>& results) {
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        const auto& [kind, which, a, b] = program.steps[k];
+        if (kind != Step::Kind::operation || bounded_orders(results[k]) != 1) continue;
+        const auto& operation = operations<Interval>()[which];
+        if ((operation.name == "min" || operation.name == "max") && bounded_orders(results[a]) > 1 &&
+            bounded_orders(results[b]) > 1)
+            return &operation;
+    }
+    return nullptr;
 }
 
 /// \throws InvalidInput naming the first of f, f′, f″ that is not bounded, and a place of [0, 1]
@@ -274,31 +289,38 @@ void check_bounded(const Program& program) {
     const double narrowest = std::exp2(-40);
     const Evaluator<Interval> evaluator(program);
     std::vector<Interval> pieces{{0, 1}};
-    int bounded = 3;  // orders that are bounded on all pieces so far
-    double place = 0;
+    int known = 3;  // orders that are bounded on all pieces so far
+    std::ostringstream message;
+    message.imbue(std::locale::classic());
+    message.precision(4);
     for (std::size_t work = 0; !pieces.empty();) {
         const Interval piece = pieces.back();
         pieces.pop_back();
         work += program.steps.size();
-        const int orders = bounded_orders(evaluator, piece);
-        if (orders >= bounded) continue;
+        const auto results = evaluator.results({&piece, 1});
+        const int orders = bounded_orders(results.back());
+        if (orders >= known) continue;
         const double middle = piece.lower + (piece.upper - piece.lower) / 2;
         if (piece.upper - piece.lower > narrowest && work < most_work) {
             pieces.emplace_back(middle, piece.upper);
             pieces.emplace_back(piece.lower, middle);
-        } else {
-            bounded = orders;
-            place = piece.lower == 0 ? 0 : piece.upper == 1 ? 1 : middle;
+            continue;
         }
+        known = orders;
+        constexpr std::array what{"the function", "its first derivative", "its second derivative"};
+        const auto* const kinked = kink(program, results);
+        message.str("");
+        if (kinked != nullptr)
+            message << kinked->name << " has a kink where its arguments meet,";
+        else
+            message << what.at(static_cast<std::size_t>(orders)) << " is not real and bounded";
+        message << " near x = "
+                << (piece.lower == 0   ? 0
+                    : piece.upper == 1 ? 1
+                                       : middle)
+                << "; take one that is smooth on [0, 1]";
     }
-    if (bounded == 3) return;
-    constexpr std::array what{"the function", "its first derivative", "its second derivative"};
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message.precision(4);
-    message << what.at(static_cast<std::size_t>(bounded)) << " is not real and bounded near x = " << place
-            << "; take one that is smooth on [0, 1]";
-    throw InvalidInput(message.str());
+    if (known < 3) throw InvalidInput(message.str());
 }
 
 }  // namespace

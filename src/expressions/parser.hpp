@@ -12,7 +12,7 @@
 /// Functions typed as text, such as `sin(5*x)+x^2`, with their first and second derivatives.
 namespace expressions {
 
-/// One step of an evaluation: a number, a variable, or an operation on the results of one or two earlier steps.
+/// One step of an evaluation: a number, a variable, or an operation on results of earlier steps.
 struct Step {
     enum class Kind { number, variable, operation } kind;
     std::size_t which;         ///< number, variable or operation, by its place in its list
@@ -28,9 +28,11 @@ struct Program {
 /// What an expression of x is made of, for --help.
 std::string vocabulary();
 
-/// Reads an expression of variables, decimal numbers, pi and e, with + - * / ^, parentheses and functions. Powers bind before
-/// signs, and from the right: -x^2 is -(x^2).
-/// \throws base::InvalidInput naming the character that cannot be read, or at which a constant part such as 1/0 has no value
+/// Reads an expression of variables, decimal numbers, pi and e, with + - * / ^, parentheses and functions.
+/// Powers bind before signs, and from the right: -x^2 is -(x^2).
+/// \param variables their names; the steps of a variable refer to its place in this list
+/// \throws base::InvalidInput naming the character that cannot be read, or at which a constant part such as
+///         1/0 has no value
 Program parsed(std::string_view text, const std::vector<std::string>& variables = {"x"});
 
 /// The expressions of a list. Commas separate them, except within parentheses.
@@ -54,14 +56,16 @@ class Evaluator {
     std::vector<Scalar> numbers_;
 };
 
-/// A function of x with its derivatives. All three are real and bounded everywhere on [0, 1], not at samples alone: they are
-/// evaluated on subintervals, which are halved until the results are bounded (Interval).
+/// A function of x with its derivatives. All three are real and bounded everywhere on [0, 1], not at samples
+/// alone: they are evaluated on subintervals, which are halved until the results are bounded (Interval).
 ///
-/// What is not bounded over a length of 2⁻⁴⁰ is refused. So are functions with a pole that close to [0, 1], those that only look
-/// singular, such as sin(x)/x at 0, and those with a kink: min and max where their arguments meet.
+/// A function that is not bounded on a subinterval of length 2⁻⁴⁰ is refused. So are functions with a pole
+/// that close to [0, 1], functions that only look singular, such as sin(x)/x at 0, and kinks: min and max
+/// where their arguments meet.
 /// \tparam Scalar double, long double or base::Quad
 /// \param option what the text belongs to, for messages
-/// \throws base::InvalidInput, in one line, as parsed() does, or naming the place where the function or a derivative is not bounded
+/// \throws base::InvalidInput, in one line, as parsed() does, or naming the place where the function or a
+///         derivative is not bounded
 template <class Scalar = double>
 base::Smooth<Scalar> smooth(const std::string& option, const std::string& text);
 

@@ -7,8 +7,8 @@
 
 using namespace asprone2010;
 
-/// An independent calculation of the stencils: the printed formulas in exact rationals, lengths in the unit of x. It covers the
-/// kernels that are polynomials piece by piece, which it differentiates exactly.
+/// An independent calculation of the stencils: the printed formulas in exact rationals, lengths in the unit
+/// of x. It covers the kernels that are polynomials piece by piece, which it differentiates exactly.
 namespace {
 
 using Rational =
@@ -150,7 +150,7 @@ std::vector<Rational> first_column_of_inverse(Matrix A) {
     return c;
 }
 
-/// The kernel times the polynomial of the given exponents with which its moments of these orders are 1, 0, 0, …
+/// The kernel times the polynomial of the given exponents that makes its moments of these orders 1, 0, 0, …
 Near corrected(const Near& near, const std::vector<int>& exponents) {
     Matrix moments;
     for (const int k : exponents) {
@@ -251,7 +251,7 @@ TEST_CASE(
                     CAPTURE(formulation.name);
                     const Stencils exact(formulation.name, near, rows);
                     const auto [D, D2] = formulation.operators(line, smoothing);
-                    // 1e-12 is 4500 roundings: of sums of a dozen terms, times the condition of the local systems.
+                    // 1e-12 is 4500 roundings: a dozen terms in each sum, times the local systems' condition.
                     for (const std::size_t i : rows) {
                         CAPTURE(i);
                         CHECK(difference(D, exact.D[i], static_cast<Index>(i)) < 1e-12);
