@@ -19,7 +19,7 @@ Program smooth_program(const std::string& option, const std::string& text);
 template <class T>
 struct Operation {
     std::string_view name;
-    int arguments;
+    int arguments = 1;
     Jet<T> (*apply)(const Jet<T>& a, const Jet<T>& b);
 };
 
