@@ -2,6 +2,7 @@
 # particles. Beyond the print: FPM applied twice (end of Section 3.4), the SSPH basis
 # of Batra and Zhang (2008), and the small panel, in which the error over δ² shows
 # how far the random particles scatter: it is level where the order is two.
+curve_column = "formulation"; x_column = "particles"; y_column = "error_second"
 load "figures/style.gp"
 if (!exists("table")) table = "data/asprone2010/figure_1.csv"
 if (!user) {
@@ -9,7 +10,8 @@ if (!user) {
     perturbations = "0 0.25"
     y_least = 2e-7; y_most = 9e3
 }
-if (!exists("function")) function = "exp"
+function = comment(" for B = ")
+if (function eq "") function = "exp"
 second = strstrt(curves, "second_order_fpm") > 0
 uniform(name) = row(name, word(perturbations, 1))
 moved(name) = row(name, word(perturbations, 2))

@@ -1,5 +1,6 @@
 # Figure 2 of Asprone et al. (2010): infinity norm of the displacement's error against the number of particles, on uniform
 # (left) and perturbed (right) particles. The right panel shows the medians and quartiles over seeds.
+curve_column = "formulation"; x_column = "particles"; y_column = "error_displacement"
 load "figures/style.gp"
 set terminal svg size 1120,540 font "Helvetica,14" background rgb "white" linewidth 1.2 dashlength 0.7
 # A user's table holds the rows of both panels; where its particles are of one kind, there is one panel.
@@ -22,7 +23,8 @@ set yrange [decade_below(y_least):decade_above(y_most)]
 set format y "10^{%T}"
 set xlabel "number of particles N"
 
-heading = "Static test: error of the displacement, " . (exists("displacement") ? "u = " . displacement : "−u″ = exp, u(0) = u′(1) = 0")
+displacement = comment(" with u = ")
+heading = "Static test: error of the displacement, " . (displacement eq "" ? "−u″ = exp, u(0) = u′(1) = 0" : "u = " . displacement)
 if (user) { set multiplot title heading . parameters_below noenhanced font ",12" } else { set multiplot title heading }
 set key off
 set lmargin at screen 0.085; set rmargin at screen (both ? 0.43 : 0.79)

@@ -1,7 +1,9 @@
 # Distribution of the errors over 1000 draws of perturbed particles.
+curve_column = "formulation"; x_column = "percentile"; y_column = "error_second"
 load "figures/style.gp"
 if (!exists("table")) table = "data/asprone2010/draws.csv"
-if (!user) { draws = "1000"; curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm" }
+draws = user ? comment(" over seeds 1 to ") : "1000"
+if (!user) { curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm" }
 set multiplot
 set logscale x
 set format x "10^{%T}"

@@ -1,5 +1,6 @@
 # Map of orders: formulations, in each the five kernels, against h/δ; on particles at equal distances and on perturbed ones.
 # White squares: too few neighbours, or a singular system.
+curve_column = "formulation"; x_column = "smoothing"; y_column = "order_second"; signed = 1
 load "figures/style.gp"
 if (!exists("table")) table = "data/asprone2010/orders.csv"
 set terminal svg size 1000,1180 font "Helvetica,13" background rgb "white" linewidth 1
@@ -13,7 +14,8 @@ set palette defined (-1.5 "#5e2750", -1 "#8c3f5d", 0 "#e08e6d", 0.5 "#f3d9b1", 1
 set cbrange [-1.5:3]
 unset grid
 set border 0
-if (!user) { x_least = 0.6; x_most = 4; step = 0.2 }
+if (!user) { x_least = 0.6; x_most = 4 }
+step = words(values) > 1 ? word(values, 2) - word(values, 1) : 0.2
 set xrange [x_least - 0.75 * step:x_most + 0.75 * step]; set yrange [0:48.6]
 if (user) { set xtics autofreq scale 0 } else { set xtics 1, 1, 4 scale 0 }
 unset key

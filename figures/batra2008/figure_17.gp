@@ -1,5 +1,6 @@
 # Figure 17 of Batra and Zhang (2008): stress along the x2-axis of the quarter plate, 188 particles. The right panel shows the part next
 # to the hole, where the exact concentration is 3.
+curve_column = "method"; x_column = "x2"; y_column = "s11"; signed = 1
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_17.csv"
 set terminal svg size 1120,480 font "Helvetica,14" background rgb "white" linewidth 1.2 dashlength 0.7

@@ -1,4 +1,5 @@
 # Figure 9 of Batra and Zhang (2008): error norm (4.4) against the scaling factor of the kernel of the SSPH basis.
+curve_column = "method"; x_column = "scaling"; y_column = "log_error_dn"; signed = 1
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_9.csv"
 set title "Error against the scaling factor, 16 × 4 particles"

@@ -130,11 +130,6 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
     add_plot_option(app, options.figure);
 }
 
-void add_plot_option(CommandLine& app, Figure& figure) {
-    app.add_option("--plot", figure.path, "draw the figure of this table too (needs gnuplot)")
-        .type_name("FILE.svg");
-}
-
 void add_precision(CommandLine& app, Options& options) {
     app.add_option(
            "--precision", options.precision,
@@ -289,8 +284,6 @@ int run(CommandLine& app, int argc, char** argv, Options& options,
             options.positions = read_positions(*options.positions_file);
             options.particles = {static_cast<long>(options.positions.size())};
         }
-        if (const std::string text = parameters(options); text != parameters({}))
-            options.figure.told["parameters"] = text;
         return compute();
     });
 }

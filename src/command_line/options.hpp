@@ -91,9 +91,6 @@ asprone2010::numerical_tests::Particles<Scalar> discretise(const Options& option
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);
 
-/// `--plot`, added to a command line.
-void add_plot_option(CommandLine& app, Figure& figure);
-
 /// Comments of the table: the equations of the formulations, and of the options what is the same in all rows.
 std::vector<std::string> described(const Options& options);
 

@@ -1,22 +1,22 @@
 #pragma once
 
-#include <map>
 #include <string>
 
+#include "command_line/command_line.hpp"
 #include "report/table.hpp"
 
 namespace command_line {
 
-/// A figure of a table: the script that draws it, the columns that are drawn, and what the script is told beside them.
+/// A figure of a table.
 struct Figure {
-    std::string script;       ///< below the folder figures/, such as asprone2010/figure_1.gp
-    std::string curve, x, y;  ///< columns: a word for each curve, and numbers
-    bool logarithmic = true;  ///< only positive y can be drawn
-    std::map<std::string, std::string> told = {};  ///< variables of the script by their names
-    std::string path = {};                         ///< the file to write, empty for none
+    std::string script;     ///< gnuplot's, below the folder figures/, such as asprone2010/figure_1.gp
+    std::string path = {};  ///< the file to write; empty for none
 };
 
-/// The folder of the source tree, in which gnuplot runs: scripts load others from there.
+/// `--plot`, added to a command line.
+void add_plot_option(CommandLine& app, Figure& figure);
+
+/// The folder of the source tree, where the scripts lie.
 std::string source_folder();
 
 /// Refuses before anything is computed what could not be drawn.
@@ -24,12 +24,7 @@ std::string source_folder();
 /// \throws base::FailedComputation where gnuplot, the script or the folder of the file is missing
 void check_plot(const Figure& figure, const std::string& folder = source_folder());
 
-/// The script's variables for a table: its columns, its curves and values of x in the order of their rows, and the ranges that hold
-/// them.
-/// \throws base::FailedComputation for a table without a number to draw
-std::map<std::string, std::string> variables(const Figure& figure, const report::Table& table);
-
-/// Draws a table into the figure's file, which is replaced as a whole.
+/// Draws a table into the figure's file, which is replaced as a whole: gnuplot -e "table='…'; output='…'" script.
 /// \throws base::FailedComputation with gnuplot's complaint; then no file is written
 void plot(const Figure& figure, const report::Table& table);
 

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
         "Another: derivative_test --function \"sin(5*x)+x^2\" --particles 37");
     command_line::Options options;
     options.particles = command_line::four_a_doubling();
-    options.figure = {"asprone2010/figure_1.gp", "formulation", "particles", "error_second"};
+    options.figure = {"asprone2010/figure_1.gp"};
     command_line::add_options(app, options);
 
     std::optional<std::string> function;
@@ -41,7 +41,6 @@ int main(int argc, char** argv) {
     command_line::add_precision(app, options);
 
     return command_line::run(app, argc, argv, options, [&] {
-        if (function) options.figure.told["function"] = *function;
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B "

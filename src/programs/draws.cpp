@@ -61,11 +61,10 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    command_line::Figure figure{"asprone2010/figure_draws.gp", "formulation", "percentile", "error_second"};
+    command_line::Figure figure{"asprone2010/figure_draws.gp"};
     command_line::add_plot_option(app, figure);
 
     return command_line::run(app, argc, argv, threads, output, figure, [&] {
-        figure.told["draws"] = std::to_string(seeds);
         if (wanted == std::vector<std::string>{"all"}) {
             wanted.clear();
             for (const auto& of : command_line::formulations()) wanted.emplace_back(of.name);

@@ -105,7 +105,7 @@ int main(int argc, char** argv) {
         .within(1, 100000);
     command_line::add_options(app, options, "or a line: x2-axis");
 
-    command_line::Figure figure{"batra2008/figure_17.gp", "method", "x2", "s11", false};
+    command_line::Figure figure{"batra2008/figure_17.gp"};
     command_line::add_plot_option(app, figure);
 
     return command_line::run(app, argc, argv, options.threads, options.output, figure, [&] {

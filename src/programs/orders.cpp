@@ -94,12 +94,10 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    command_line::Figure figure{"asprone2010/figure_orders.gp", "formulation", "smoothing", "order_second",
-                                false};
+    command_line::Figure figure{"asprone2010/figure_orders.gp"};
     command_line::add_plot_option(app, figure);
 
     return command_line::run(app, argc, argv, threads, output, figure, [&] {
-        figure.told["step"] = base::shown(step);
         if (!(from > 0 && to >= from && step > 0 && (to - from) / step <= 1000))  // nor for what is no number
             throw base::InvalidInput("h/delta from " + base::shown(from) + " to " + base::shown(to) +
                                      " in steps of " + base::shown(step) + " is no range of 1 to 1000 steps");

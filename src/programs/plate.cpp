@@ -49,8 +49,8 @@ std::vector<plate::Corners> choices_of(const std::array<std::string, 4>& corners
 
 /// What --plot draws: the error against the scaling factors, if there are several, or against the distance of the particles.
 command_line::Figure figure_of(const std::string& path, bool scaled) {
-    command_line::Figure figure{"batra2008/figure_12.gp", "method", "nx", "log_error_dn", false};
-    if (scaled) figure = {"batra2008/figure_9.gp", "method", "scaling", "log_error_dn", false};
+    command_line::Figure figure{"batra2008/figure_12.gp"};
+    if (scaled) figure = {"batra2008/figure_9.gp"};
     figure.path = path;
     return figure;
 }

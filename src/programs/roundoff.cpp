@@ -92,8 +92,7 @@ int main(int argc, char** argv) {
     app.add_threads(threads);
     app.add_output(output);
 
-    command_line::Figure figure{"asprone2010/figure_precision.gp", "formulation", "particles",
-                                "error_second"};
+    command_line::Figure figure{"asprone2010/figure_precision.gp"};
     command_line::add_plot_option(app, figure);
 
     return command_line::run(app, argc, argv, threads, output, figure, [&] {

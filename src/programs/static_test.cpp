@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
         "Another: static_test --displacement \"x*exp(-x)+sin(3*x)\" --particles 53");
     command_line::Options options;
     options.particles = command_line::four_a_doubling();
-    options.figure = {"asprone2010/figure_2.gp", "formulation", "particles", "error_displacement"};
+    options.figure = {"asprone2010/figure_2.gp"};
     command_line::add_options(app, options);
 
     std::string end;
@@ -55,7 +55,6 @@ int main(int argc, char** argv) {
     command_line::add_precision(app, options);
 
     return command_line::run(app, argc, argv, options, [&] {
-        if (displacement) options.figure.told["displacement"] = *displacement;
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.2, Figure 2: infinity norm of the displacement's error, (45) "

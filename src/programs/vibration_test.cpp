@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> references{"fem_lumped", "fem_consistent"};
     command_line::Options options;
     options.particles = {100};
-    options.figure = {"asprone2010/figure_3.gp", "formulation", "particles", "ratio"};
+    options.figure = {"asprone2010/figure_3.gp"};
     command_line::add_options(app, options, references);
     long lowest = 0;
     app.add_option(
@@ -57,8 +57,6 @@ int main(int argc, char** argv) {
             base::require_memory("the eigenvalues on " + std::to_string(N) + " particles",
                                  4 * sizeof(double) * static_cast<double>(N) * static_cast<double>(N),
                                  "take fewer particles");
-        if (options.perturbations == std::vector<double>{0} && options.positions.size() == 0)
-            options.figure.told["lattice"] = "yes";
         report::Table table;
         table.comments = {
             "Asprone et al. (2010), Section 5.3, Figure 3: frequencies sqrt(-lambda) of (52) against (51), "

@@ -1,20 +1,14 @@
 #include "report/file.hpp"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "base/errors.hpp"
 
@@ -25,52 +19,24 @@ namespace {
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 [[noreturn]] void fail(const std::string& action, const std::string& path) {
-    throw base::FailedComputation("cannot " + action + " " + (path.empty() ? "the standard output" : path) +
-                                  ": " + std::strerror(errno));
+    throw base::FailedComputation("cannot " + action + " " + path + ": " + std::strerror(errno));
 }
 
-/// The number of an open file that a path stands for, such as /dev/stdout or /dev/fd/3. It is written to as it is open: a file behind
-/// it keeps what it holds.
-std::optional<int> descriptor_of(const std::string& path) {
-    if (path == "/dev/stdout") return STDOUT_FILENO;
-    if (path == "/dev/stderr") return STDERR_FILENO;
-    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-        if (!path.starts_with(folder)) continue;
-        const std::string number = path.substr(folder.size());
-        int descriptor = -1;
-        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
-        if (error == std::errc() && end == number.data() + number.size()) return descriptor;
-    }
-    return {};
+bool is_standard_output(const std::string& path) {
+    return path.empty() || path == "-" || path == "/dev/stdout";
 }
 
-/// The file that a path leads to, and whether one can take its place: a link keeps pointing where it points, be anything there or
-/// not, and what is no regular file (a pipe, a device) cannot be replaced by one.
-struct Target {
-    std::string path;
-    std::optional<int> descriptor;
-    bool exists, replaceable;
-    std::filesystem::perms permissions;
-};
-
-Target target_of(const std::string& path) {
+/// Devices, pipes and open files: another file cannot take their place.
+bool is_appended_to(const std::string& path) {
     std::error_code none;
-    std::filesystem::path end = path;
-    constexpr int most_links = 40;  // as the system follows
-    for (int k = 0; k < most_links && !descriptor_of(end) && std::filesystem::is_symlink(end, none); ++k)
-        end = end.parent_path() / std::filesystem::read_symlink(end, none);
-    const std::optional<int> descriptor = descriptor_of(end);
-    const std::filesystem::file_status status = std::filesystem::status(end, none);
-    const bool exists = std::filesystem::exists(status);
-    return {end.string(), descriptor, exists,
-            !descriptor && (!exists || std::filesystem::is_regular_file(status)), status.permissions()};
+    const auto status = std::filesystem::status(path, none);
+    return path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
+           (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status));
 }
 
-constexpr std::array<int, 3> ending{SIGINT, SIGTERM, SIGHUP};
-volatile std::sig_atomic_t waiting = 0;  // a signal's handler can reach nothing else
-
-extern "C" void wait_for_the_end(int signal) {
-    waiting = signal;
+/// The file itself, where the path is a link to it.
+std::string behind_links(const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
 }
 
 /// The longest text that is read: a device such as /dev/zero has no end.
@@ -90,68 +56,49 @@ bool put(std::FILE* file, const std::string& text) {
     return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
 }
 
+/// \return whether all of it was written; else errno has the reason
+bool write(const std::string& path, const char* mode, const std::string& text) {
+    File file(std::fopen(path.c_str(), mode), std::fclose);
+    return file && put(file.get(), text) && std::fclose(file.release()) == 0;
+}
+
 }  // namespace
 
-struct Uninterrupted::State {
-    std::array<struct sigaction, ending.size()> before;
-};
-
-Uninterrupted::Uninterrupted() : state_(std::make_unique<State>()) {
-    struct sigaction later {};
-    later.sa_handler = wait_for_the_end;
-    later.sa_flags = SA_RESTART;
-    for (std::size_t k = 0; k < ending.size(); ++k) {
-        sigaction(ending[k], nullptr, &state_->before[k]);
-        if (state_->before[k].sa_handler == SIG_DFL) sigaction(ending[k], &later, nullptr);
-    }
-}
-
-Uninterrupted::~Uninterrupted() {
-    for (std::size_t k = 0; k < ending.size(); ++k) sigaction(ending[k], &state_->before[k], nullptr);
-    // Within another such scope the signal goes on waiting, for that one's end.
-    if (waiting != 0) std::raise(std::exchange(waiting, 0));
-}
-
 void check_writable(const std::string& path) {
-    if (path.empty()) return;
-    const Target target = target_of(path);
-    if (target.descriptor) {
-        const int flags = fcntl(*target.descriptor, F_GETFL);
-        if (flags != -1 && (flags & O_ACCMODE) != O_RDONLY) return;
-        errno = EBADF;
-        fail("write", path);
-    }
+    if (is_standard_output(path)) return;
     std::error_code reason;
-    errno = std::filesystem::is_directory(target.path, reason) ? EISDIR : reason.value();
-    if (errno == ENOENT) errno = 0;  // it is to be made
-    if (errno != 0 || (target.exists && access(target.path.c_str(), W_OK) != 0)) fail("write", path);
-    const auto folder = std::filesystem::absolute(target.path).parent_path();
-    if (target.replaceable && access(folder.c_str(), W_OK | X_OK) != 0) fail("write", path);
+    const auto status = std::filesystem::status(path, reason);
+    const bool to_be_made = reason.value() == ENOENT && !is_appended_to(path);
+    errno = std::filesystem::is_directory(status) ? EISDIR : reason.value();
+    if (errno != 0 && !to_be_made) fail("write", path);
+    if (!to_be_made && access(path.c_str(), W_OK) != 0) fail("write", path);
+    if (is_appended_to(path)) return;
+    const auto folder = std::filesystem::path(behind_links(path)).parent_path();
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail("write", path);
 }
 
 void write_whole(const std::string& path, const std::string& text) {
-    if (path.empty()) {
-        if (!put(stdout, text)) fail("write to", path);
+    if (is_standard_output(path)) {
+        if (!put(stdout, text)) fail("write to", "the standard output");
         return;
     }
     check_writable(path);
-    const auto [target, descriptor, exists, whole, permissions] = target_of(path);
-    const std::string temporary = whole ? target + ".tmp." + std::to_string(getpid()) : target;
-    std::optional<Uninterrupted> uninterrupted;
-    if (whole) uninterrupted.emplace();
-    File file(descriptor ? fdopen(dup(*descriptor), "wb") : std::fopen(temporary.c_str(), "wb"), std::fclose);
-    if (!file) fail("write", path);
-    std::error_code none;
-    if (whole && exists) std::filesystem::permissions(temporary, permissions, none);
-    const bool written = put(file.get(), text) && std::fclose(file.release()) == 0;
-    if (!whole) {
-        if (!written) fail("write", path);
-    } else if (!written || std::rename(temporary.c_str(), target.c_str()) != 0) {
-        const int reason = errno;
-        std::remove(temporary.c_str());
-        errno = reason;
-        fail("write", path);
+    if (is_appended_to(path)) {
+        if (!write(path, "ab", text)) fail("write", path);
+        return;
     }
+    const std::string target = behind_links(path), temporary = target + ".tmp." + std::to_string(getpid());
+    std::error_code none;
+    const auto before = std::filesystem::status(target, none);
+    bool written = write(temporary, "wb", text);
+    if (written && std::filesystem::exists(before))
+        std::filesystem::permissions(temporary, before.permissions(), none);
+    written = written && std::rename(temporary.c_str(), target.c_str()) == 0;
+    if (written) return;
+    const int reason = errno;
+    std::remove(temporary.c_str());
+    errno = reason;
+    fail("write", path);
 }
 
 std::string read_whole(const std::string& path) {

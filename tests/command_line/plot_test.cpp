@@ -95,16 +95,14 @@ TEST_CASE("plot: what cannot be drawn or written is refused before anything is c
     check_refused("static_test --particles 20 --plot " + folder.path + "/none/figure.svg", 1,
                   "none/figure.svg: No such file or directory");
     std::filesystem::create_directory(folder.path + "/folder.svg");
-    check_refused("static_test --particles 20 --plot " + folder.path + "/folder.svg", 1, "it is a folder");
+    check_refused("static_test --particles 20 --plot " + folder.path + "/folder.svg", 1, "Is a directory");
     check_refused("static_test --particles 20 --plot " + folder.path + "/figure.png", 2, ".svg");
     check_refused("static_test --perturb 0.1 --seeds 2 --plot " + folder.path + "/a.svg", 2, "--median");
     check_refused("static_test --perturb 0,0.1,0.2 --plot " + folder.path + "/a.svg", 2, "at most two");
     check_refused("vibration_test --particles 20,40 --plot " + folder.path + "/a.svg", 2, "one spectrum");
     CHECK(folder.entries() == 1);
     CHECK_THROWS_WITH_AS(
-        command_line::check_plot(
-            {.script = "a/figure_1.gp", .curve = "", .x = "", .y = "", .path = folder.path + "/a.svg"},
-            "/nowhere"),
+        command_line::check_plot({.script = "a/figure_1.gp", .path = folder.path + "/a.svg"}, "/nowhere"),
         doctest::Contains("/nowhere/figures/a/figure_1.gp"), base::FailedComputation);
 }
 
