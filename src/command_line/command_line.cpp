@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "base/errors.hpp"
+#include "command_line/lists.hpp"
 #include "solvers/blas_threads.hpp"
 
 namespace command_line {
@@ -32,10 +33,6 @@ CommandLine::~CommandLine() = default;
 
 CommandLine::Option& CommandLine::Option::type_name(const std::string& shown) {
     of_->type_name(shown);
-    return *this;
-}
-CommandLine::Option& CommandLine::Option::separated_by_commas() {
-    of_->delimiter(',');
     return *this;
 }
 CommandLine::Option& CommandLine::Option::within(long least, long most) {
@@ -69,8 +66,7 @@ std::string in_decimal(const std::string& text) {
 template <class Value>
 CommandLine::Option CommandLine::add_option(const std::string& name, Value& value, const std::string& about) {
     CLI::Option* const option = app_->add_option(name, value, about);
-    if constexpr (std::is_integral_v<Value> || std::is_same_v<Value, std::vector<long>>)
-        option->check(in_decimal);
+    if constexpr (std::is_integral_v<Value>) option->check(in_decimal);
     return Option(option);
 }
 template CommandLine::Option CommandLine::add_option(const std::string&, std::string&, const std::string&);
@@ -82,10 +78,36 @@ template CommandLine::Option CommandLine::add_option(const std::string&, std::op
                                                      const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
                                                      const std::string&);
-template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<double>&,
-                                                     const std::string&);
-template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<long>&,
-                                                     const std::string&);
+
+namespace {
+
+/// An option whose text `read` turns into a list. What is empty is refused once all options are read.
+template <class Value, class Read>
+CLI::Option* list_option(CLI::App& app, const std::string& name, std::vector<Value>& values,
+                         const std::string& about, const Read& read) {
+    const auto store = [&values, read](const std::string& text) {
+        if (!text.empty()) values = read(text);
+    };
+    return app.add_option_function<std::string>(name, store, about);
+}
+
+}  // namespace
+
+CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<std::string>& values,
+                                          const std::string& about) {
+    CLI::Option* const option = list_option(*app_, name, values, about, names);
+    return Option(option->type_name("NAME[,NAME...]"));
+}
+CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<double>& values,
+                                          const std::string& about) {
+    const auto read = [name](const std::string& text) { return numbers(name, text); };
+    return Option(list_option(*app_, name, values, about, read)->type_name("LIST"));
+}
+CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<long>& values,
+                                          const std::string& about) {
+    const auto read = [name](const std::string& text) { return whole_numbers(name, text); };
+    return Option(list_option(*app_, name, values, about, read)->type_name("LIST"));
+}
 
 CommandLine::Option CommandLine::add_flag(const std::string& name, bool& value, const std::string& about) {
     return Option(app_->add_flag(name, value, about));
@@ -102,10 +124,6 @@ void CommandLine::add_output(std::string& file) {
 
 void CommandLine::column_width(std::size_t letters) {
     app_->get_formatter()->column_width(letters);
-}
-
-void CommandLine::after_reading(const std::function<void()>& then) {
-    app_->callback(then);
 }
 
 std::string CommandLine::name() const {

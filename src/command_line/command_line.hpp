@@ -27,7 +27,6 @@ class CommandLine {
     class Option {
       public:
         Option& type_name(const std::string& shown);
-        Option& separated_by_commas();
         Option& within(long least, long most);
         Option& among(const std::vector<std::string>& words);
         Option& excludes(const Option& other);
@@ -40,10 +39,16 @@ class CommandLine {
     };
 
     /// \param name with dashes, or without for an argument by its place
-    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of strings, doubles or longs; it
-    ///        keeps what it holds where the option is not given
+    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of strings that follow each
+    ///        other; it keeps what it holds where the option is not given
     template <class Value>
     Option add_option(const std::string& name, Value& value, const std::string& about);
+
+    /// One option with a list: names separated by commas, or numbers as numbers() and whole_numbers() read them.
+    Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& about);
+    Option add_list(const std::string& name, std::vector<double>& values, const std::string& about);
+    Option add_list(const std::string& name, std::vector<long>& values, const std::string& about);
+
     Option add_flag(const std::string& name, bool& value, const std::string& about);
 
     /// `--threads` and `--output`, which most programs have.
@@ -52,9 +57,6 @@ class CommandLine {
 
     /// Lines of the options in `--help` begin their descriptions in this column.
     void column_width(std::size_t letters);
-
-    /// Does something once the options are read, before the body of run().
-    void after_reading(const std::function<void()>& then);
 
     [[nodiscard]] std::string name() const;
 

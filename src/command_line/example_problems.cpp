@@ -1,17 +1,14 @@
 #include "command_line/example_problems.hpp"
-#include "base/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <fstream>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
 #include "base/memory.hpp"
+#include "base/text.hpp"
+#include "command_line/lists.hpp"
 #include "command_line/options.hpp"
 #include "report/file.hpp"
 
@@ -23,56 +20,93 @@ using report::Cell;
 
 namespace {
 
-/// Largest memory of this process since forget_peak(), in MB; zero where the system does not say.
+/// Largest memory of this process since reset_peak(), in MB; zero where the system does not say.
 double peak() {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;)
         if (double kilobytes = 0; word == "VmHWM:" && status >> kilobytes) return kilobytes / 1024;
     return 0;
 }
-void forget_peak() {
+void reset_peak() {
     std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+/// What a solution cost.
+struct Cost {
+    double assembly = 0, solution = 0;  ///< [s]
+    double megabytes = 0;               ///< largest memory meanwhile
+};
+
+/// The solution of a problem, timed.
+example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
+                                  const example_problems::Discretisation& how, Cost& cost) {
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+    elastostatics::check_inside(cloud, problem);
+    reset_peak();
+    const auto start = Clock::now();
+    System system = example_problems::system(problem, cloud, how);
+    const auto assembled = Clock::now();
+    example_problems::Solution solution{how, problem.material, batra2008::solved(std::move(system))};
+    cost = {Seconds(assembled - start).count(), Seconds(Clock::now() - assembled).count(), peak()};
+    return solution;
+}
+
+/// Adds a row for each place: the cells that name the case, then displacements and stresses, computed and exact.
+void add_states(report::Table& table, const std::vector<Cell>& named, const Solved& solved,
+                const std::vector<Point<2>>& places) {
+    const Problem& problem = solved.problem;
+    std::vector<example_problems::State> states(places.size());
+    base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+        const auto at = static_cast<std::size_t>(k);
+        states[at] = example_problems::state_at(solved.cloud, solved.solution, places[at]);
+    });
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        std::vector<Cell> row = named;
+        const Vector u = problem.exact.u(places[k]);
+        const Stress stress = problem.exact.stress(places[k]);
+        for (const double number : places[k]) row.emplace_back(number);
+        for (const double number : states[k].u) row.emplace_back(number);
+        for (const double number : states[k].stress) row.emplace_back(number);
+        for (const double number : u) row.emplace_back(number);
+        for (const double number : stress) row.emplace_back(number);
+        table.rows.push_back(std::move(row));
+    }
 }
 
 }  // namespace
 
 void add_options(CommandLine& app, ExampleOptions& options, const std::string& places) {
     app.column_width(34);
-    app.add_option(
-           "--method", options.methods,
-           "which methods, separated by commas: all, or some of strong (collocation), weak1, weak2 (MLPG)")
-        .separated_by_commas()
-        .type_name("NAME[,NAME...]");
-    app.add_option("--scaling", options.scaling,
-                   "scaling factors rho of the SSPH basis' kernel (default " + options.scaling + ")")
-        .type_name("LIST");
-    app.add_option("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)")
-        .type_name("LIST");
-    app.add_option("--gauss", options.gauss,
-                   "Gauss points n_G along a radius, and 4 n_G in angle, of the weak forms (default 10)")
-        .type_name("LIST");
-    app.add_option("--test-scaling", options.test_scaling, "scaling factors of the test function (default 1)")
-        .type_name("LIST");
-    app.add_option("--penalty", options.penalty, "penalty parameters, in units of the paper's (default 1)")
-        .type_name("LIST");
-    app.add_option("--poisson", options.poisson, "Poisson's ratios (default 0.33)").type_name("LIST");
+    app.add_list("--method", options.methods,
+                 "methods: all (default), or some of strong (collocation), weak1, weak2 (MLPG)");
+    app.add_list("--scaling", options.scaling,
+                 "scaling factors rho of the SSPH basis' kernel (default " +
+                     base::shown(options.scaling.front()) + ")");
+    app.add_list("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)");
+    app.add_list("--gauss", options.gauss,
+                 "Gauss points n_G along a radius, and 4 n_G in angle, of the weak forms (default 10)");
+    app.add_list("--test-scaling", options.test_scaling, "scaling factors of the test function (default 1)");
+    app.add_list("--penalty", options.penalty, "penalty parameters, in units of the paper's (default 1)");
+    app.add_list("--poisson", options.poisson, "Poisson's ratios (default 0.33)");
     app.add_option("--plane", options.plane, "plane stress or strain (default " + options.plane + ")")
         .type_name("NAME");
-    app.add_option("--states", options.states,
-                   "instead of errors, write displacements and stresses at places: particles, a grid such as "
-                   "46x10, " +
-                       places)
+    app.add_option(
+           "--states", options.states,
+           "displacements and stresses at places, instead of errors: particles, a grid such as 46x10, " +
+               places)
         .type_name("PLACES");
     app.add_option("--points", options.points, "number of places on a line of --states (default 101)")
         .type_name("N")
         .within(2, 1000000);
     app.add_option("--field", options.field,
-                   "write displacements and stresses at the particles too: .vtk for ParaView, else CSV")
+                   "file for displacements and stresses at the particles: .vtk for ParaView, else CSV")
         .type_name("FILE");
     app.add_flag("--seconds", options.seconds,
                  "add the seconds for assembly and solution, and the memory in MB");
     app.add_threads(options.threads);
     app.add_output(options.output);
+    add_plot_option(app, options.figure);
 }
 
 void check_cloud(double particles, double neighbours) {
@@ -91,43 +125,42 @@ void check_states(double places) {
 
 std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                const std::function<double(const elastostatics::Material&)>& penalty) {
-    using example_problems::Method;
     if (options.seconds && !options.states.empty())
         throw InvalidInput("--seconds stand beside errors; leave --states out");
     check_apart({{"--output", options.output}, {"--field", options.field}});
-    std::vector<Method> methods;
-    for (const std::string& name : chosen("method", options.methods, {"strong", "weak1", "weak2"}))
-        methods.push_back(example_problems::method_named(name));
-    auto count = static_cast<double>(methods.size());
-    for (const auto& [option, list] : {std::pair("--poisson", options.poisson),
-                                       {"--degree", options.degree},
-                                       {"--scaling", options.scaling},
-                                       {"--test-scaling", options.test_scaling},
-                                       {"--gauss", options.gauss},
-                                       {"--penalty", options.penalty}})
-        if (!list.empty()) count *= static_cast<double>(numbers(option, list).size());
+    check_apart({{"--plot", options.figure.path}, {"--field", options.field}});
+    const std::vector<std::string> methods = chosen("method", options.methods, {"strong", "weak1", "weak2"});
+    const auto plane = elastostatics::plane_named(options.plane);
+    double count = 1;
+    for (const std::size_t choices :
+         {methods.size(), options.poisson.size(), options.degree.size(), options.scaling.size(),
+          options.test_scaling.size(), options.gauss.size(), options.penalty.size()})
+        count *= static_cast<double>(choices);
     base::require_memory(
         base::shown(count) + " cases",
         count * (sizeof(ExampleCase) + sizeof(Cell) * static_cast<double>(case_columns().size())),
         "take shorter lists");
+    for (const long gauss : options.gauss)
+        if (gauss < 1 || gauss > 1000)
+            throw InvalidInput("--gauss must lie between 1 and 1000, got " + std::to_string(gauss));
+    for (const long degree : options.degree)
+        if (degree < 1 || degree > 3)
+            throw InvalidInput("monomials of degree 1, 2 or 3 are known, not " + std::to_string(degree));
+    for (const double factor : options.penalty)
+        if (!(factor > 0)) throw InvalidInput("--penalty must be positive");
 
     std::vector<ExampleCase> all;
-    for (const Method method : methods)
-        for (const double nu : numbers("--poisson", options.poisson))
-            for (const long degree : whole_numbers("--degree", options.degree))
-                for (const double scaling : numbers("--scaling", options.scaling))
-                    for (const double test_scaling : numbers("--test-scaling", options.test_scaling))
-                        for (const long gauss : whole_numbers("--gauss", options.gauss))
-                            for (const double factor :
-                                 numbers("--penalty", options.penalty.empty() ? "1" : options.penalty)) {
-                                const auto material = elastostatics::checked(
-                                    {E, nu, elastostatics::plane_named(options.plane)});
-                                if (gauss < 1 || gauss > 1000)
-                                    throw InvalidInput("--gauss must lie between 1 and 1000, got " +
-                                                       std::to_string(gauss));
-                                if (!(factor > 0)) throw InvalidInput("--penalty must be positive");
-                                all.push_back({{method, scaling, static_cast<int>(degree),
-                                                factor * penalty(material), test_scaling, gauss},
+    for (const std::string& method : methods)
+        for (const double nu : options.poisson)
+            for (const long degree : options.degree)
+                for (const double scaling : options.scaling)
+                    for (const double test_scaling : options.test_scaling)
+                        for (const long gauss : options.gauss)
+                            for (const double factor : options.penalty) {
+                                const auto material = elastostatics::checked({E, nu, plane});
+                                all.push_back({{example_problems::method_named(method), scaling,
+                                                static_cast<int>(degree), factor * penalty(material),
+                                                test_scaling, gauss},
                                                material});
                             }
     return all;
@@ -138,8 +171,8 @@ std::vector<report::ColumnHead> case_columns() {
             {"degree"}, {"poisson"},   {"plane"},   {"penalty"}};
 }
 
-std::vector<Cell> case_cells(const ExampleCase& of) {
-    const auto& [how, material] = of;
+std::vector<Cell> case_cells(const ExampleCase& one) {
+    const auto& [how, material] = one;
     const bool weak = how.method != example_problems::Method::strong;
     return {example_problems::name(how.method),
             Cell(),
@@ -152,35 +185,11 @@ std::vector<Cell> case_cells(const ExampleCase& of) {
             weak ? Cell(how.penalty) : Cell()};
 }
 
-example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
-                                  const example_problems::Discretisation& how, Cost& cost) {
-    elastostatics::check_inside(cloud, problem);
-    forget_peak();
-    const auto start = std::chrono::steady_clock::now();
-    System system = example_problems::system(problem, cloud, how);
-    const auto assembled = std::chrono::steady_clock::now();
-    example_problems::Solution solution{how, problem.material, batra2008::solved(std::move(system))};
-    const auto done = std::chrono::steady_clock::now();
-    cost.assembly = std::chrono::duration<double>(assembled - start).count();
-    cost.solution = std::chrono::duration<double>(done - assembled).count();
-    cost.megabytes = peak();
-    return solution;
-}
-
-void add_cost_columns(report::Table& table) {
-    for (const char* name : {"seconds_assembly", "seconds_solution", "megabytes"})
-        table.columns.push_back({name, {1e-2, 0}});
-}
-
-void add_cost(std::vector<Cell>& row, const Cost& cost) {
-    row.insert(row.end(), {cost.assembly, cost.solution, cost.megabytes});
-}
-
 std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& cases) {
     constexpr report::Tolerance length{1e-6, 1e-10};
     report::Tolerance pressure{1e-6, 10};
-    for (const ExampleCase& of : cases)
-        pressure.absolute = std::max(pressure.absolute, 1e-12 * elastostatics::D(of.material)(0, 0));
+    for (const ExampleCase& one : cases)
+        pressure.absolute = std::max(pressure.absolute, 1e-12 * elastostatics::D(one.material)(0, 0));
     std::vector<report::ColumnHead> columns{{"x1"}, {"x2"}};
     for (const char* name : {"u1", "u2"}) columns.push_back({name, length});
     for (const char* name : {"s11", "s22", "s12"}) columns.push_back({name, pressure});
@@ -189,25 +198,10 @@ std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& ca
     return columns;
 }
 
-void add_states(report::Table& table, const std::vector<Cell>& of, const Solved& solved,
-                const std::vector<Point<2>>& places) {
-    const Problem& problem = solved.problem;
-    std::vector<example_problems::State> states(places.size());
-    base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
-        const auto at = static_cast<std::size_t>(k);
-        states[at] = example_problems::state_at(solved.cloud, solved.solution, places[at]);
-    });
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        std::vector<Cell> row = of;
-        const Vector u = problem.exact.u(places[k]);
-        const Stress stress = problem.exact.stress(places[k]);
-        for (const double number : places[k]) row.emplace_back(number);
-        for (const double number : states[k].u) row.emplace_back(number);
-        for (const double number : states[k].stress) row.emplace_back(number);
-        for (const double number : u) row.emplace_back(number);
-        for (const double number : stress) row.emplace_back(number);
-        table.rows.push_back(std::move(row));
-    }
+std::vector<Point<2>> places_at(const Points<2>& x) {
+    std::vector<Point<2>> places;
+    for (Index I = 0; I < x.cols(); ++I) places.emplace_back(x.col(I));
+    return places;
 }
 
 FieldFile::FieldFile(std::string path, const std::vector<ExampleCase>& cases) : path_(std::move(path)) {
@@ -217,16 +211,15 @@ FieldFile::FieldFile(std::string path, const std::vector<ExampleCase>& cases) : 
     for (const auto& column : state_columns(cases)) table_.columns.push_back(column);
 }
 
-void FieldFile::add(const ExampleCase& of, const Solved& solved) {
+void FieldFile::add(const ExampleCase& one, const Solved& solved) {
     if (path_.empty()) return;
     const Points<2>& x = solved.cloud.x();
     if (table_.rows.empty()) x_ = x;
     if (x.cols() != x_.cols() || x != x_)
         throw InvalidInput("--field holds one set of particles; ask for one at a time");
-    std::vector<Cell> cells = case_cells(of);
+    std::vector<Cell> cells = case_cells(one);
     cells[1] = static_cast<long>(x.cols());
-    std::vector<Point<2>> places;
-    for (Index I = 0; I < x.cols(); ++I) places.emplace_back(x.col(I));
+    const std::vector<Point<2>> places = places_at(x);
     const std::size_t first = table_.rows.size();
     add_states(table_, cells, solved, places);
 
@@ -263,7 +256,7 @@ void FieldFile::add(const ExampleCase& of, const Solved& solved) {
     for (std::size_t k = 0; !another && k < places.size(); ++k)
         another = exact(first + k) != exact(first - places.size() + k);
     if (another) arrays(numbered("exact"), "_exact");
-    arrays(numbered(example_problems::name(of.how.method)), "");
+    arrays(numbered(example_problems::name(one.how.method)), "");
 }
 
 void FieldFile::write() const {
@@ -280,6 +273,46 @@ void FieldFile::write() const {
     text += "VERTICES " + count + " " + std::to_string(2 * x_.cols()) + "\n";
     for (Index I = 0; I < x_.cols(); ++I) text += "1 " + std::to_string(I) + "\n";
     report::write_whole(path_, text + "POINT_DATA " + count + "\n" + vtk_);
+}
+
+ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<ExampleCase>& cases,
+                           const std::string& about, const std::vector<report::ColumnHead>& layout,
+                           const std::vector<report::ColumnHead>& errors)
+    : options_(options), field_(options.field, cases) {
+    table_.comments = {
+        about,
+        "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 of (4.4), dn the difference of the norms, nd the norm of the difference"};
+    table_.columns = case_columns();
+    for (const auto& column : layout) table_.columns.push_back(column);
+    for (const auto& column : options.states.empty() ? errors : state_columns(cases))
+        table_.columns.push_back(column);
+    if (!options.seconds) return;
+    for (const char* name : {"seconds_assembly", "seconds_solution", "megabytes"})
+        table_.columns.push_back({name, {1e-2, 0}});
+}
+
+void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Cloud<2>& cloud,
+                       const std::vector<Cell>& layout, const Places& places, const Errors& errors) {
+    Cost cost;
+    const example_problems::Solution solution = solved(problem, cloud, one.how, cost);
+    const Solved found{problem, cloud, solution};
+    field_.add(one, found);
+
+    std::vector<Cell> row = case_cells(one);
+    row[1] = static_cast<long>(cloud.size());
+    row.insert(row.end(), layout.begin(), layout.end());
+    if (!options_.states.empty()) {
+        add_states(table_, row, found, places(cloud));
+        return;
+    }
+    for (const Cell& cell : errors(found)) row.push_back(cell);
+    if (options_.seconds) row.insert(row.end(), {cost.assembly, cost.solution, cost.megabytes});
+    table_.rows.push_back(std::move(row));
+}
+
+report::Table ExampleTable::finished() {
+    field_.write();
+    return std::move(table_);
 }
 
 }  // namespace command_line

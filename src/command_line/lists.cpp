@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -18,9 +17,12 @@ using base::InvalidInput;
 namespace {
 
 std::vector<std::string> parts(const std::string& text, char between) {
-    std::vector<std::string> found;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, between);) found.push_back(part);
+    std::vector<std::string> found{""};
+    for (const char c : text)
+        if (c == between)
+            found.emplace_back();
+        else
+            found.back() += c;
     return found;
 }
 
@@ -58,23 +60,26 @@ std::vector<double> numbers_of_part(const std::string& option, const std::string
 
 }  // namespace
 
+std::vector<std::string> names(const std::string& list) {
+    return parts(list, ',');
+}
+
 std::vector<double> numbers(const std::string& option, const std::string& list) {
     std::vector<double> all;
     for (const std::string& part : parts(list, ','))
         for (const double number : numbers_of_part(option, part)) all.push_back(number);
-    if (all.empty()) throw InvalidInput(option + " needs at least one number");
     return all;
 }
 
 std::vector<long> whole_numbers(const std::string& option, const std::string& list) {
-    for (const std::string& part : parts(list, ','))  // 010 is 8 in some tongues
+    for (const std::string& part : parts(list, ','))  // which other programs read as octal
         for (const std::string& text : parts(part, ':'))
             if (text.size() > 1 && text[0] == '0' && text[1] != '.')
                 throw InvalidInput(option + ": " + text + " begins with 0; write it in decimal");
     std::vector<long> all;
     for (const double number : numbers(option, list)) {
-        if (number != std::round(number) || std::abs(number) > 1e9)
-            throw InvalidInput(option + ": " + base::shown(number) + " is no whole number up to 1e9");
+        if (number != std::round(number) || std::abs(number) > 1e15)
+            throw InvalidInput(option + ": " + base::shown(number) + " is no whole number up to 1e15");
         all.push_back(std::lround(number));
     }
     return all;

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <cstddef>
-#include <ostream>
+#include <iostream>
+#include <type_traits>
+#include <vector>
+
+#include "base/index.hpp"
+#include "base/parallel.hpp"
 
 namespace command_line {
 
-/// "3 of 12" on a terminal, wiped when it ends, however it ends. Steps may come from several threads.
+/// "3 of 12" on a terminal, erased at the end, also after a failure. Steps may come from several threads.
 class Progress {
   public:
-    /// \param watched false where nobody looks, such as a file: then nothing is written
-    Progress(std::size_t all, std::ostream& terminal, bool watched)
+    /// \param watched whether the stream is a terminal; to anything else nothing is written
+    explicit Progress(std::size_t all, std::ostream& terminal = std::cerr,
+                      bool watched = isatty(STDERR_FILENO) != 0)
         : all_(all), terminal_(terminal), watched_(watched) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -30,5 +38,18 @@ class Progress {
     std::ostream& terminal_;
     bool watched_;
 };
+
+/// What `compute` returns for each case, in the order of the cases. They are computed in parallel, with progress on the terminal.
+template <class Case, class Compute>
+auto computed_in_parallel(const std::vector<Case>& cases, const Compute& compute) {
+    std::vector<std::invoke_result_t<Compute, const Case&>> results(cases.size());
+    Progress progress(cases.size());
+    base::for_each_index(static_cast<base::Index>(cases.size()), [&](base::Index k) {
+        const auto at = static_cast<std::size_t>(k);
+        results[at] = compute(cases[at]);
+        progress.step();
+    });
+    return results;
+}
 
 }  // namespace command_line

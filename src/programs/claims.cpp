@@ -2,8 +2,6 @@
 #include "base/text.hpp"
 #include "batra2008/claims.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -57,7 +55,7 @@ report::Table judged(const report::Table& claims, const Paper& paper) {
                      {"measured_" + other.name, {1e-3, 1e-9}},
                      {"conditional", {1e-3, 1e-9}},
                      {"verdict"}};
-    command_line::Progress progress(claims.rows.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+    command_line::Progress progress(claims.rows.size());
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {
         const std::string id = claims.word(row, "id");
         const auto computation = computations.find(id);

@@ -1,7 +1,4 @@
-#include <unistd.h>
-
 #include <array>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -94,14 +91,10 @@ int main(int argc, char** argv) {
     std::vector<double> smoothings{1, 1.5, 2};
     std::string output;
     int threads = 0;
-    const auto list = [&](const char* name, auto& values, const char* about, const char* type) {
-        app.add_option(name, values, about).separated_by_commas().type_name(type);
-    };
-    list("--formulation", wanted, "which formulations (default all)", "NAME[,NAME...]");
-    list("--kernel", kernels, "which kernels (default all)", "NAME[,NAME...]");
-    list("--smoothing", smoothings, "smoothing lengths over spacing, h/delta (default 1,1.5,2)",
-         "RATIO[,...]");
-    list("--volumes", volumes, "equal (default), partition", "NAME[,NAME...]");
+    app.add_list("--formulation", wanted, "which formulations (default all)");
+    app.add_list("--kernel", kernels, "which kernels (default all)");
+    app.add_list("--smoothing", smoothings, "smoothing lengths over spacing, h/delta (default 1,1.5,2)");
+    app.add_list("--volumes", volumes, "equal (default), partition");
     app.add_threads(threads);
     app.add_output(output);
 
@@ -151,7 +144,7 @@ int main(int argc, char** argv) {
                          {"relative_difference", {1, 1e-6}},
                          {"amplification", {1e-9, 0}}};
         table.rows.resize(places.size());
-        command_line::Progress progress(places.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+        command_line::Progress progress(places.size());
         base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             table.rows[at] = measured(places[at]);

@@ -4,19 +4,53 @@
 #include <string>
 #include <vector>
 
+#include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
-#include "command_line/options.hpp"
 #include "expressions/parser.hpp"
 
 namespace {
 
 using namespace asprone2010;
+using command_line::Case;
+using command_line::Options;
+using report::Cell;
 
-/// The reader's function, or the paper's.
+/// The user's function, or the paper's.
 template <class Scalar>
 base::Smooth<Scalar> exact_function(const std::optional<std::string>& text) {
-    if (!text) return derivative_test::exponential<Scalar>();
-    return expressions::smooth<Scalar>("--function", *text);
+    return text ? expressions::smooth<Scalar>("--function", *text) : derivative_test::exponential<Scalar>();
+}
+
+template <class Scalar>
+Cell cell(const std::optional<Scalar>& error) {
+    return error ? Cell(static_cast<double>(*error)) : Cell();
+}
+
+template <class Scalar>
+std::vector<Cell> errors(const Options& options, const Case& one, const base::Smooth<Scalar>& exact) {
+    const auto found = derivative_test::errors(command_line::formulation_named<Scalar>(one.formulation),
+                                               command_line::line_of<Scalar>(options, one), exact);
+    return {cell<Scalar>(found.first), cell<Scalar>(found.second), cell(found.first_interior),
+            cell(found.second_interior)};
+}
+
+report::Table table_of(const Options& options, const std::optional<std::string>& function) {
+    report::Table table;
+    table.comments = {
+        "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B = " +
+            function.value_or("exp"),
+        "interior: particles farther than the support's radius from both ends; empty where there are none"};
+    for (const std::string& comment : command_line::header_comments(options))
+        table.comments.push_back(comment);
+    table.columns = {{"error_first", {1e-6, 1e-12}},
+                     {"error_second", {1e-6, 2e-10}},
+                     {"error_first_interior", {1e-6, 1e-12}},
+                     {"error_second_interior", {1e-6, 2e-10}}};
+    command_line::in_precision(options.precision, [&](auto zero) {
+        const auto exact = exact_function<decltype(zero)>(function);
+        command_line::tabulate(table, options, [&](const Case& one) { return errors(options, one, exact); });
+    });
+    return table;
 }
 
 }  // namespace
@@ -27,47 +61,15 @@ int main(int argc, char** argv) {
         "derivative_test",
         "Example: derivative_test --formulation second_order_fpm --particles 320,640,1280\n"
         "Another: derivative_test --function \"sin(5*x)+x^2\" --particles 37");
-    command_line::Options options;
+    Options options;
     options.particles = command_line::four_a_doubling();
     options.figure = {"asprone2010/figure_1.gp"};
     command_line::add_options(app, options);
 
     std::optional<std::string> function;
     app.add_option("--function", function,
-                   "the function B of x, smooth on [0, 1] (default exp(x)); of " +
-                       expressions::vocabulary())
+                   "the function B of x, smooth on [0, 1] (default exp(x)); of " + expressions::vocabulary())
         .type_name("TEXT");
-
     command_line::add_precision(app, options);
-
-    return command_line::run(app, argc, argv, options, [&] {
-        report::Table table;
-        table.comments = {
-            "Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B "
-            "= " +
-                function.value_or("exp"),
-            "interior: particles farther than the support's radius from both ends; empty where there are "
-            "none"};
-        for (const std::string& comment : command_line::described(options)) table.comments.push_back(comment);
-        table.columns = {{"error_first", {1e-6, 1e-12}},
-                         {"error_second", {1e-6, 2e-10}},
-                         {"error_first_interior", {1e-6, 1e-12}},
-                         {"error_second_interior", {1e-6, 2e-10}}};
-        command_line::in_precision(options.precision, [&](auto zero) {
-            using Scalar = decltype(zero);
-            const auto exact = exact_function<Scalar>(function);
-            command_line::tabulate(
-                table, options, [&](const command_line::Case& of) -> std::vector<report::Cell> {
-                    const auto errors =
-                        derivative_test::errors(command_line::formulation_named<Scalar>(of.formulation),
-                                                command_line::discretise<Scalar>(options, of), exact);
-                    const auto cell = [](const std::optional<Scalar>& error) {
-                        return error ? report::Cell(static_cast<double>(*error)) : report::Cell();
-                    };
-                    return {cell(errors.first), cell(errors.second), cell(errors.first_interior),
-                            cell(errors.second_interior)};
-                });
-        });
-        return table;
-    });
+    return command_line::run(app, argc, argv, options, [&] { return table_of(options, function); });
 }

@@ -8,6 +8,7 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
 #include "command_line/options.hpp"
 
@@ -49,9 +50,7 @@ int main(int argc, char** argv) {
     unsigned long seeds = 1000;
     int threads = 0;
     std::string output;
-    app.add_option("--formulation", wanted, "which formulations (default all)")
-        .separated_by_commas()
-        .type_name("NAME[,NAME...]");
+    app.add_list("--formulation", wanted, "which formulations (default all)");
     app.add_option("--particles", N, "number of particles (default 160)").type_name("N");
     app.add_option("--perturb", perturbation, "amplitude of the perturbation in spacings (default 0.25)")
         .type_name("A");

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +12,6 @@
 #include "command_line/options.hpp"
 #include "command_line/progress.hpp"
 #include "report/statistics.hpp"
-
-#include <unistd.h>
 
 namespace {
 
@@ -128,7 +125,7 @@ int main(int argc, char** argv) {
                          {"constant_second", {1e-3, 1e-6}},
                          {"constant_displacement", {5e-2, 1e-6}}};
         table.rows.resize(squares.size());
-        command_line::Progress progress(squares.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+        command_line::Progress progress(squares.size());
         base::for_each_index(static_cast<Index>(squares.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             const Square& of = squares[at];

@@ -1,7 +1,4 @@
-#include <unistd.h>
-
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -80,9 +77,7 @@ int main(int argc, char** argv) {
     long most = 1000000, most_quad = 10000;
     int threads = 0;
     std::string output;
-    app.add_option("--formulation", wanted, "of order 1 or 2 (default modified_fpm,second_order_fpm)")
-        .separated_by_commas()
-        .type_name("NAME[,NAME...]");
+    app.add_list("--formulation", wanted, "of order 1 or 2 (default modified_fpm,second_order_fpm)");
     app.add_option("--most", most, "particles at most in double and long precision (default 1000000)")
         .type_name("N")
         .within(10, 10000000);
@@ -136,7 +131,7 @@ int main(int argc, char** argv) {
                          {"predicted_truncation", {1e-9, 0}},
                          {"predicted_roundoff", {1e-9, 0}}};
         table.rows.resize(cases.size());
-        command_line::Progress progress(cases.size(), std::cerr, isatty(STDERR_FILENO) != 0);
+        command_line::Progress progress(cases.size());
         base::for_each_index(static_cast<Index>(cases.size()), [&](Index k) {
             const auto at = static_cast<std::size_t>(k);
             const Case& of = cases[at];

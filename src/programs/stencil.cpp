@@ -7,8 +7,8 @@
 #include "asprone2010/limit_stencils.hpp"
 #include "base/text.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
+#include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
-#include "command_line/options.hpp"
 
 namespace {
 
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
                 "a stencil is that of one formulation on one line of particles, not of " +
                 std::to_string(asked.size()) + "; name one --formulation, and one number of --particles");
         const command_line::Case& of = asked.front();
-        const auto discrete = command_line::discretise(options, of);
+        const auto discrete = command_line::line_of(options, of);
         const auto& [line, smoothing] = discrete;
         if (particle < 0 || particle >= line.size())
             throw base::InvalidInput("there is no particle " + std::to_string(particle) + "; choose 0 to " +
@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
         report::Table table;
         table.comments = {of.formulation + ", particle " + std::to_string(particle) + " of " +
                           std::to_string(line.size()) + ", x = " + shown(line.x()[particle])};
-        for (const std::string& comment : command_line::described(options)) table.comments.push_back(comment);
+        for (const std::string& comment : command_line::header_comments(options))
+            table.comments.push_back(comment);
         table.comments.push_back(
             conditions(of.formulation, particles::neighbourhood(line, smoothing, particle)));
         for (const int derivative : {1, 2})

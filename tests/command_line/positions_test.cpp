@@ -34,11 +34,9 @@ const char* const irregular =
 }  // namespace
 
 TEST_CASE("positions: a number on a line or the first column of a CSV, with comments, blanks and a header") {
-    for (const char* text :
-         {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
-          "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n", "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n",
-          "\xEF\xBB\xBF"
-          "0\n0.25\n1\n"}) {
+    for (const char* text : {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
+                             "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n",
+                             "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n", "\357\273\2770\n0.25\n1\n"}) {
         CAPTURE(text);
         const auto x = read(text);
         REQUIRE(x.size() == 3);
@@ -86,11 +84,9 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
         report::write_whole(file, text);
         return read_points(file);
     };
-    for (const char* text :
-         {"0 0.25\n1 2\n", "0,0.25\r\n1,2", "x1,x2\n0 , 0.25\n1\t 2\n",
-          "# layout\n\n  x1 x2\n 0   0.25 # here\n1e0, 2.0\n", "\"x1\", \"x2\"\n0,0.25\n1,2\n",
-          "\xEF\xBB\xBF"
-          "0 0.25\n1 2\n"}) {
+    for (const char* text : {"0 0.25\n1 2\n", "0,0.25\r\n1,2", "x1,x2\n0 , 0.25\n1\t 2\n",
+                             "# layout\n\n  x1 x2\n 0   0.25 # here\n1e0, 2.0\n",
+                             "\"x1\", \"x2\"\n0,0.25\n1,2\n", "\357\273\2770 0.25\n1 2\n"}) {
         CAPTURE(text);
         const auto x = points(text);
         REQUIRE(x.cols() == 2);
@@ -200,8 +196,7 @@ TEST_CASE(
     REQUIRE(local.rows.size() == 1);
     CHECK(std::get<double>(local.rows[0][local.column("error_second")]) < 0.1);
     check_refused(
-        "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from local "
-        "--positions " +
+        "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from local --positions " +
             file,
         1, "times as large");
 }

@@ -44,17 +44,17 @@ TEST_CASE("bad input: numbers of particles that are none, too few, or more than 
         {"derivative_test", "--particles 2", 1, "take at least 3 particles"},
         {"derivative_test", "--particles 3", 1, "take at least 4 particles"},
         {"derivative_test", "--particles -5", 2, "at least 2 particles, got -5"},
-        {"derivative_test", "--particles 1e18", 2, "--particles = 1e18"},
-        {"derivative_test", "--particles abc", 2, "--particles = abc"},
-        {"derivative_test", "--particles nan", 2, "--particles = nan"},
-        {"derivative_test", "--particles inf", 2, "--particles = inf"},
+        {"derivative_test", "--particles 1e18", 2, "--particles: 1e+18 is no whole number"},
+        {"derivative_test", "--particles abc", 2, "--particles: 'abc' is neither a number nor a range from:step:to"},
+        {"derivative_test", "--particles nan", 2, "--particles: 'nan' is neither a number"},
+        {"derivative_test", "--particles inf", 2, "--particles: 'inf' is neither a number"},
         {"derivative_test", "--particles ''", 2, "--particles is empty; give it a value or leave it out"},
         {"derivative_test", "--particles 40,020", 2, "--particles: 020 begins with 0; write it in decimal"},
         {"derivative_test", "--particles 0x20", 2, "0x20 begins with 0; write it in decimal"},
         {"stencil", "--formulation fpm --particle 007", 2, "007 begins with 0"},
         {"static_test", "--corrections 012", 2, "012 begins with 0"},
         {"derivative_test", "--particles 999999999999", 2, "which holds at most 2147483647; take fewer"},
-        {"derivative_test", "--particles 99999999999999999999", 2, "take fewer particles"},
+        {"derivative_test", "--particles 99999999999999999999", 2, "is no whole number up to 1e15"},
         {"derivative_test", "--particles 100000000", 2, "take fewer particles"},
         {"derivative_test", "--particles 100000 --smoothing 1e5", 2, "or a smaller --smoothing"},
         {"derivative_test", "--particles 100000000 --precision quad", 2, "take fewer particles"},
@@ -100,7 +100,7 @@ TEST_CASE("bad input: smoothing lengths, perturbations and other numbers beyond 
         {"vibration_test", "--smoothing 1e300 --particles 20", 2, "take another --smoothing"},
         {"constants", "--smoothing -1", 2, "take another --smoothing"},
         {"constants", "--smoothing 0", 2, "take another --smoothing"},
-        {"constants", "--smoothing nan", 2, "take another --smoothing"},
+        {"constants", "--smoothing nan", 2, "neither a number"},
         {"constants", "--smoothing 1e300", 2, "take another --smoothing"},
         {"constants", "--smoothing 30", 2, "not over 1 to 100; take another --smoothing"},
         {"static_test", "--formulation fpm --particles 40 --smoothing 20", 1,
@@ -109,7 +109,7 @@ TEST_CASE("bad input: smoothing lengths, perturbations and other numbers beyond 
         {"static_test", "--formulation fpm --particles 40 --smoothing 20 --precision quad", 1, "is singular"},
         {"derivative_test", "--perturb 0.5", 2, "take 0 <= a < 0.5"},
         {"derivative_test", "--perturb -1", 2, "take 0 <= a < 0.5"},
-        {"derivative_test", "--perturb nan", 2, "take 0 <= a < 0.5"},
+        {"derivative_test", "--perturb nan", 2, "neither a number"},
         {"derivative_test", "--perturb ''", 2, "--perturb is empty"},
         {"derivative_test", "--seed 0", 2, "not in range 1 to 4294967295"},
         {"derivative_test", "--seed -1", 2, "--seed"},
@@ -127,7 +127,7 @@ TEST_CASE("bad input: smoothing lengths, perturbations and other numbers beyond 
         {"orders", "--to 1e300", 2, "is no range of 1 to 1000 steps"},
         {"orders", "--from -1", 2, "h/delta from -1 to 4 in steps of 0.2 is no range"},
         {"plate", "--scaling inf", 2, "neither a number nor a range"},
-        {"plate", "--scaling 1,,2", 2, "is no range from:step:to"},
+        {"plate", "--scaling 1,,2", 2, "'' is neither a number nor a range from:step:to"},
         {"plate", "--scaling 1:1e-300:2", 2, "of at most 10000 steps"},
         {"plate", "--scaling 1:1e-4:2 --poisson 0:1e-5:0.1 --penalty 1:1e-4:2", 2, "take shorter lists"},
         {"plate", "--degree 1e300", 2, "is no whole number"},
@@ -150,11 +150,11 @@ TEST_CASE("bad input: names that nothing has, options that are missing a value o
         {"derivative_test", "--formulation sph", 2, "choose one of all, original"},
         {"derivative_test", "--formulation ''", 2, "--formulation is empty"},
         {"derivative_test", "--formulation", 2, "see derivative_test --help"},
-        {"derivative_test", "--formulation ,", 2, "see derivative_test --help"},
+        {"derivative_test", "--formulation ,", 2, "there is no formulation ''; choose one of all"},
         {"derivative_test", "--formulation all,fpm", 2, "--formulation all takes no other name beside it"},
         {"vibration_test", "--perturb 0.1 --seeds 2 --plot /tmp/a.svg", 2, "for each N; take one seed"},
         {"plate", "--seconds --states bottom", 2, "--seconds stand beside errors; leave --states out"},
-        {"plate", "--method strong --scaling 3, --plot /tmp/a.svg", 2, "against several --scaling"},
+        {"plate", "--method strong --scaling 3, --plot /tmp/a.svg", 2, "neither a number nor a range"},
         {"derivative_test", "--kernel cubic", 2, "choose one of gaussian"},
         {"derivative_test", "--volumes all", 2, "choose one of equal, partition"},
         {"derivative_test", "--smoothing-from here", 2, "choose one of mean, largest, local"},
@@ -309,7 +309,7 @@ TEST_CASE("bad input: an open file that is named as output keeps what stands bef
           "first\n" + table + "last\n");
     CHECK(run("{ " + draw + " --output /dev/stdout | cat; }").output == table);
     CHECK(run("{ " + draw + " --output /dev/fd/3 3>&1; }").output == table);
-    check_refused(draw + " --output /dev/fd/7", 1, "cannot write /dev/fd/7: Bad file descriptor");
+    check_refused(draw + " --output /dev/fd/7", 1, "cannot write /dev/fd/7: No such file or directory");
 }
 
 TEST_CASE("bad input: an environment that asks for too much, or for another terminal") {

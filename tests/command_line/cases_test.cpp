@@ -1,4 +1,4 @@
-#include "command_line/options.hpp"
+#include "command_line/cases.hpp"
 
 #include "command_line/formulations.hpp"
 
@@ -11,7 +11,7 @@ using namespace programs;
 extern "C" int openblas_get_num_threads();
 extern "C" void openblas_set_num_threads(int threads);
 
-TEST_CASE("options: four numbers of particles for each doubling, from 10 to 2560") {
+TEST_CASE("cases: four numbers of particles for each doubling, from 10 to 2560") {
     const auto N = four_a_doubling();
     CHECK(N.front() == 10);
     CHECK(N.back() == 2560);
@@ -19,7 +19,7 @@ TEST_CASE("options: four numbers of particles for each doubling, from 10 to 2560
     for (const long wanted : {320L, 640L, 1280L}) CHECK(std::find(N.begin(), N.end(), wanted) != N.end());
 }
 
-TEST_CASE("options: cases run through formulations, perturbations, particles and seeds, in this order") {
+TEST_CASE("cases: cases run through formulations, perturbations, particles and seeds, in this order") {
     Options options;
     options.formulations = {"original", "fpm"};
     options.perturbations = {0, 0.25};
@@ -37,7 +37,7 @@ TEST_CASE("options: cases run through formulations, perturbations, particles and
     CHECK(all[8].formulation == "fpm");
 }
 
-TEST_CASE("options: all means every formulation, and an unknown name is refused") {
+TEST_CASE("cases: all means every formulation, and an unknown name is refused") {
     Options options;
     options.particles = {10};
     CHECK(cases(options).size() == command_line::formulations().size());
@@ -48,7 +48,7 @@ TEST_CASE("options: all means every formulation, and an unknown name is refused"
 }
 
 TEST_CASE(
-    "options: --median gives medians and quartiles over the seeds, and is empty where a number is missing") {
+    "cases: --median gives medians and quartiles over the seeds, and is empty where a number is missing") {
     Options options;
     options.formulations = {"original"};
     options.particles = {11};
@@ -60,13 +60,12 @@ TEST_CASE(
     tabulate(table, options, [](const Case& of) -> std::vector<report::Cell> {
         return {static_cast<double>(of.seed * of.seed), of.seed == 3 ? report::Cell() : report::Cell(1.0)};
     });
-    CHECK(report::csv(table) ==
-          "formulation,particles,spacing,perturbation,seed,number,missing,seeds,number_lower,number_upper,"
-          "missing_lower,"
-          "missing_upper\noriginal,11,0.1,0.1,1,9,,5,4,16,,\n");
+    CHECK(
+        report::csv(table) ==
+        "formulation,particles,spacing,perturbation,seed,number,missing,seeds,number_lower,number_upper,missing_lower,missing_upper\noriginal,11,0.1,0.1,1,9,,5,4,16,,\n");
 }
 
-TEST_CASE("options: bad invocations end with code 2 and one line that names the cause") {
+TEST_CASE("cases: bad invocations end with code 2 and one line that names the cause") {
     for (const std::string program : {"derivative_test", "static_test", "vibration_test"}) {
         check_refused(program + " --formulation sph", 2,
                       "there is no formulation 'sph'; choose one of all, original");
@@ -90,7 +89,7 @@ TEST_CASE("options: bad invocations end with code 2 and one line that names the 
     }
 }
 
-TEST_CASE("options: failed computations end with code 1 and one line that names cause and remedy") {
+TEST_CASE("cases: failed computations end with code 1 and one line that names cause and remedy") {
     check_refused(
         "derivative_test --formulation second_order_fpm --kernel cubic_spline --particles 20", 1,
         "second_order_fpm: particle 0 (x = 0) has 2 neighbours within 2h, needs 4; try --smoothing 1.6");
@@ -98,7 +97,7 @@ TEST_CASE("options: failed computations end with code 1 and one line that names 
                   "cannot write /nowhere/file.csv: No such file or directory");
 }
 
-TEST_CASE("options: an existing output stays as it is when a computation fails") {
+TEST_CASE("cases: an existing output stays as it is when a computation fails") {
     const Folder folder;
     const std::string file = folder.path + "/kept.csv";
     report::write_whole(file, "kept");
@@ -106,7 +105,7 @@ TEST_CASE("options: an existing output stays as it is when a computation fails")
     CHECK(report::read_whole(file) == "kept");
 }
 
-TEST_CASE("options: --help shows every option and an example that runs") {
+TEST_CASE("cases: --help shows every option and an example that runs") {
     for (const std::string program : {"derivative_test", "static_test", "vibration_test"}) {
         const auto [code, help, errors] = run(program + " --help");
         CHECK(code == 0);
@@ -126,8 +125,7 @@ TEST_CASE("options: --help shows every option and an example that runs") {
     }
 }
 
-TEST_CASE(
-    "options: a program computes with one BLAS thread, so that its bytes do not depend on their number") {
+TEST_CASE("cases: a program computes with one BLAS thread, so that its bytes do not depend on their number") {
     openblas_set_num_threads(2);
     CommandLine app("", "test");
     const Folder folder;

@@ -1,0 +1,244 @@
+#include "command_line/cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "base/errors.hpp"
+#include "base/memory.hpp"
+#include "base/text.hpp"
+#include "command_line/formulations.hpp"
+#include "command_line/lists.hpp"
+#include "command_line/positions.hpp"
+#include "command_line/progress.hpp"
+#include "report/file.hpp"
+#include "report/statistics.hpp"
+
+namespace command_line {
+
+using base::InvalidInput;
+using report::Cell;
+
+namespace {
+
+/// The generator takes 32 bits and reads 0 as another number: seeds beyond would repeat draws.
+constexpr unsigned long largest_seed = 4294967295UL;
+
+std::vector<std::string> known_formulations(const std::vector<std::string>& extra) {
+    std::vector<std::string> names;
+    for (const auto& formulation : formulations()) names.emplace_back(formulation.name);
+    names.insert(names.end(), extra.begin(), extra.end());
+    return names;
+}
+
+/// What is the same in all rows.
+std::string parameters(const Options& options) {
+    particles::spacing_named(options.smoothing_from);
+    const bool from_mean = options.smoothing_from == "mean";
+    std::string text = "kernel " + options.kernel +
+                       (from_mean ? ", h/delta " : ", h/" + options.smoothing_from + " spacing ") +
+                       base::shown(options.smoothing) + ", volumes " + options.volumes;
+    if (const auto& x = options.positions; x.size() > 0) {
+        const particles::Column<double> apart = x.tail(x.size() - 1) - x.head(x.size() - 1);
+        text += ", positions of a file, " + base::shown(apart.minCoeff()) + " to " +
+                base::shown(apart.maxCoeff()) + " apart";
+    }
+    if (std::any_of(options.perturbations.begin(), options.perturbations.end(),
+                    [](double a) { return a != 0; }))
+        text += ", perturbed particles: mt19937, seeds " + std::to_string(options.seed) + " to " +
+                std::to_string(options.seed + options.seeds - 1);
+    if (options.precision != "double") text += ", precision " + options.precision;
+    return text;
+}
+
+}  // namespace
+
+void check_line(long N, double reach, std::size_t scalar) {
+    if (N < 2) throw InvalidInput("a line needs at least 2 particles, got " + std::to_string(N));
+    const auto count = static_cast<double>(N), size = static_cast<double>(scalar + sizeof(int));
+    // D and D², which sees as far again where D is applied twice.
+    const double once = count * std::min(2 * reach + 1, count),
+                 twice = count * std::min(4 * reach + 1, count);
+    base::require_memory_of_entries(std::to_string(N) + " particles", twice, (once + twice) * size,
+                                    "take fewer particles or a smaller --smoothing");
+}
+
+std::vector<long> four_a_doubling() {
+    std::vector<long> N;
+    for (int k = 0; k <= 32; ++k) N.push_back(std::lround(10 * std::exp2(k / 4.0)));
+    return N;
+}
+
+void add_options(CommandLine& app, Options& options, const std::vector<std::string>& extra) {
+    std::vector<std::string> kernels;
+    particles::for_each_kernel([&](const auto& kernel) { kernels.push_back(particles::name(kernel)); });
+
+    app.column_width(34);
+    app.add_list("--formulation", options.formulations,
+                 "formulations: all (default), or some of " + joined(known_formulations(extra)));
+    const auto counts =
+        app.add_list("--particles", options.particles,
+                     "numbers of particles N: a list such as 10,20,40 or a range from:step:to");
+    const auto positions =
+        app.add_option(
+               "--positions", options.positions_file,
+               "particles of a file instead: one position per line, or in the first column of a CSV, increasing from 0 to 1")
+            .type_name("FILE")
+            .excludes(counts);
+    app.add_option(
+           "--volumes", options.volumes,
+           "particle volumes: equal (the spacing for each; default) or partition (half of it at the ends)")
+        .type_name("NAME");
+    app.add_option("--kernel", options.kernel, "one of " + joined(kernels) + " (default gaussian)")
+        .type_name("NAME");
+    app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1)")
+        .type_name("RATIO");
+    app.add_option(
+           "--smoothing-from", options.smoothing_from,
+           "the spacing delta of h/delta: mean (default), largest, or local: each particle has an h of its own, from the farther of its two neighbours")
+        .type_name("NAME");
+    app.add_list("--perturb", options.perturbations,
+                 "amplitudes a, a list: inner particles move by U(-1,1) a delta (default 0; the paper: 0.25)")
+        .excludes(positions);
+    app.add_option("--seed", options.seed, "first seed of the perturbations (default 1)")
+        .type_name("S")
+        .excludes(positions)
+        .within(1, largest_seed);
+    app.add_option("--seeds", options.seeds, "how many seeds: S, S+1, ... (default 1)")
+        .type_name("K")
+        .excludes(positions)
+        .within(1, 1000000);
+    app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
+    app.add_threads(options.threads);
+    app.add_output(options.output);
+    add_plot_option(app, options.figure);
+}
+
+void add_precision(CommandLine& app, Options& options) {
+    app.add_option(
+           "--precision", options.precision,
+           "precision of the computation: double (default), long (about 19 digits) or quad (34 digits, about fifty times slower); positions of a file are doubles")
+        .type_name("NAME");
+}
+
+std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
+    const std::vector<std::string> wanted =
+        chosen("formulation", options.formulations, known_formulations(extra));
+
+    const auto moved = [](double a) { return a != 0; };
+    if (options.seeds > 1 && std::none_of(options.perturbations.begin(), options.perturbations.end(), moved))
+        throw InvalidInput("--seeds changes nothing without a perturbation; add --perturb 0.25, say");
+    if (options.seeds - 1 > largest_seed - options.seed)
+        throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
+                           " repeat others; take a smaller --seed");
+
+    const double reach = particles::support<double>(particles::kernel_named(options.kernel)) *
+                         (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0);
+    const std::size_t scalar =
+        in_precision(options.precision, [](auto zero) { return sizeof(decltype(zero)); });
+    for (const long N : options.particles) check_line(N, reach, scalar);
+    const double count = static_cast<double>(wanted.size() * options.particles.size()) *
+                         static_cast<double>(options.perturbations.size()) *
+                         static_cast<double>(options.seeds);
+    constexpr double cells = 12;  // of a row, and of what was computed for it, at least
+    base::require_memory(
+        base::shown(count) + " cases",
+        count * (sizeof(Case) + sizeof(std::vector<Cell>) + (options.median ? 4 : cells) * sizeof(Cell)),
+        "take fewer --seeds, --particles or perturbations");
+
+    std::vector<Case> all;
+    for (const std::string& formulation : wanted)
+        for (const double perturbation : options.perturbations)
+            for (const long N : options.particles)
+                for (unsigned long k = 0; k < (perturbation == 0 ? 1 : options.seeds); ++k)
+                    all.push_back({formulation, perturbation, N, options.seed + k});
+    return all;
+}
+
+std::array<Cell, 2> perturbation_and_seed(const Options& options, const Case& one) {
+    if (options.positions.size() > 0) return {};
+    return {one.perturbation, static_cast<long>(one.seed)};
+}
+
+asprone2010::numerical_tests::Discretisation discretisation_of(const Options& options, const Case& one) {
+    return {particles::volumes_named(options.volumes), particles::kernel_named(options.kernel),
+            options.smoothing, one.perturbation, particles::spacing_named(options.smoothing_from)};
+}
+
+void tabulate(report::Table& table, const Options& options,
+              const std::function<std::vector<Cell>(const Case&)>& compute) {
+    const std::vector<Case> all = cases(options);
+    const std::vector<std::vector<Cell>> numbers = computed_in_parallel(all, compute);
+
+    const std::vector<report::ColumnHead> measured = table.columns;
+    table.columns = {{"formulation"}, {"particles"}, {"spacing"}, {"perturbation"}, {"seed"}};
+    table.columns.insert(table.columns.end(), measured.begin(), measured.end());
+    if (options.median) {
+        table.columns.push_back({"seeds"});
+        for (const auto& column : measured) {
+            table.columns.push_back({column.name + "_lower", column.tolerance});
+            table.columns.push_back({column.name + "_upper", column.tolerance});
+        }
+    }
+
+    for (std::size_t k = 0; k < all.size();) {
+        const Case& one = all[k];
+        const unsigned long seeds = !options.median || one.perturbation == 0 ? 1 : options.seeds;
+        const auto [perturbation, seed] = perturbation_and_seed(options, one);
+        std::vector<Cell> row{one.formulation, static_cast<long>(one.particles),
+                              1.0 / static_cast<double>(one.particles - 1), perturbation, seed};
+        std::vector<Cell> spread{static_cast<long>(seeds)};
+        for (std::size_t column = 0; column < measured.size(); ++column) {
+            std::vector<double> sample;
+            for (std::size_t s = k; s < k + seeds; ++s)
+                if (const auto* number = std::get_if<double>(&numbers[s][column])) sample.push_back(*number);
+            if (sample.size() < seeds) {  // no interior particle, say
+                row.emplace_back();
+                spread.insert(spread.end(), 2, Cell());
+                continue;
+            }
+            const auto [lower, median, upper] = report::quartiles(sample);
+            row.emplace_back(median);
+            spread.insert(spread.end(), {lower, upper});
+        }
+        if (options.median) row.insert(row.end(), spread.begin(), spread.end());
+        table.rows.push_back(std::move(row));
+        k += seeds;
+    }
+}
+
+std::vector<std::string> header_comments(const Options& options) {
+    std::string equations;
+    const auto& wanted = options.formulations;
+    for (const auto& formulation : formulations()) {
+        const std::string name(formulation.name);
+        if (wanted != std::vector<std::string>{"all"} &&
+            std::find(wanted.begin(), wanted.end(), name) == wanted.end())
+            continue;
+        equations += (equations.empty() ? "equations: " : ", ") + std::string(formulation.name) + " " +
+                     std::string(formulation.equations);
+    }
+    std::vector<std::string> comments{parameters(options)};
+    if (!equations.empty()) comments.insert(comments.begin(), equations);
+    return comments;
+}
+
+int run(CommandLine& app, int argc, char** argv, Options& options,
+        const std::function<report::Table()>& compute) {
+    return run(app, argc, argv, options.threads, options.output, options.figure, [&] {
+        if (!options.figure.path.empty() && options.seeds > 1 && !options.median)
+            throw InvalidInput("--plot draws one line of particles for each N; take one seed" +
+                               std::string(app.name() == "vibration_test" ? "" : ", or --median"));
+        if (!options.figure.path.empty() && options.perturbations.size() > 2)
+            throw InvalidInput("--plot draws at most two perturbations, such as 0,0.25");
+        if (options.positions_file) {
+            check_apart({{"--output", options.output}, {"--positions", *options.positions_file}});
+            options.positions = read_positions(*options.positions_file);
+            options.particles = {static_cast<long>(options.positions.size())};
+        }
+        return compute();
+    });
+}
+
+}  // namespace command_line
