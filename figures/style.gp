@@ -69,10 +69,11 @@ method(name) = strcol("method") eq name ? 1 : NaN
 sequential = "set palette defined (0 '#fdf3d8', 0.25 '#e5b58a', 0.5 '#bf7772', 0.75 '#7d4273', 1 '#2a1e4f')"
 diverging = "set palette defined (-1 '#12406b', -0.5 '#6fa2cc', 0 '#f7f7f5', 0.5 '#dd9668', 1 '#7a2a0d')"
 
-# A table of your own: gnuplot -e "table='FILE'; output='FILE'" figures/asprone2010/figure_1.gp. Without `table` a script draws the paper's.
-# A script that can draw more than the paper's case names the columns of its curves, x and y before it loads this file. Here they are read
-# from the table: curves, values of x and perturbations in the order of their rows, and the ranges x_least to x_most, y_least to y_most.
-# Where y is logarithmic, only positive ones are drawn.
+# A table of your own: gnuplot -e "table='FILE'; output='FILE'" figures/asprone2010/figure_1.gp. Without `table`
+# a script draws the paper's. A script that can draw more than the paper's case names the columns of its curves,
+# x and y before it loads this file. Here they are read from the table: curves, values of x and perturbations in
+# the order of their rows, and the ranges x_least to x_most, y_least to y_most. Where y is logarithmic, only
+# positive ones count.
 user = exists("table")
 if (!exists("signed")) signed = 0
 curves = ""; values = ""; perturbations = ""; comments = ""; columns = ""
@@ -80,21 +81,27 @@ x_least = 1e300; x_most = -1e300; y_least = 1e300; y_most = -1e300
 with_word(list, w) = strstrt(" " . list . " ", " " . w . " ") > 0 ? list : list eq "" ? w : list . " " . w
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
-note_line(line) = line[1:1] eq "#" ? (comments = comments . line . "\n", 0) : (columns = columns eq "" ? line : columns, 0)
+note_line(line) = line[1:1] eq "#" ? (comments = comments . line . "\n", 0) \
+                                   : (columns = columns eq "" ? line : columns, 0)
 note(x, y) = (y > 0 || (signed && y <= 0)) && \
-    (curves = with_word(curves, strcol(curve_column)), values = with_word(values, strcol(x_column)), \
-     x_least = least(x_least, x), x_most = most(x_most, x), y_least = least(y_least, y), y_most = most(y_most, y), \
+    (curves = with_word(curves, strcol(curve_column)), \
+     values = strlen(values) < 9999 ? with_word(values, strcol(x_column)) : values, \
+     x_least = least(x_least, x), x_most = most(x_most, x), \
+     y_least = least(y_least, y), y_most = most(y_most, y), \
      perturbations = has("perturbation") ? with_word(perturbations, strcol("perturbation")) : "", 0)
 has(name) = !user || strstrt("," . columns . ",", "," . name . ",") > 0
-# What the table's comments say behind some words, to the end of the line; nothing where they do not stand there.
+# The rest of the line behind a mark in the table's comments; empty without the mark.
 rest_of_line(text) = text[1:strstrt(text, "\n") - 1]
-comment(words) = strstrt(comments, words) > 0 ? rest_of_line(comments[strstrt(comments, words) + strlen(words):*]) : ""
+comment(mark) = strstrt(comments, mark) > 0 ? \
+                rest_of_line(comments[strstrt(comments, mark) + strlen(mark):*]) : ""
 if (user && exists("y_column")) {
     set datafile separator "\n"; set datafile commentschars ""; unset datafile columnheaders
     stats table using (note_line(strcol(1))) nooutput
     set datafile separator comma; set datafile commentschars; set datafile columnheaders
     stats table using (note(column(x_column), column(y_column))) nooutput
-    if (curves eq "") { exit error "there is nothing to draw: no " . y_column . (signed ? " is a number" : " is positive") }
+    if (curves eq "") {
+        exit error "there is nothing to draw: no " . y_column . (signed ? " is a number" : " is positive")
+    }
 }
 # The parameters of the numerical tests, where they are not the paper's.
 parameters = comment("# kernel ")

@@ -22,7 +22,7 @@ using report::Cell;
 
 namespace {
 
-/// The generator takes 32 bits and reads 0 as another number: seeds beyond would repeat draws.
+/// The generator takes seeds of 32 bits: larger ones would repeat draws.
 constexpr unsigned long largest_seed = 4294967295UL;
 
 std::vector<std::string> known_formulations(const std::vector<std::string>& extra) {
@@ -32,7 +32,7 @@ std::vector<std::string> known_formulations(const std::vector<std::string>& extr
     return names;
 }
 
-/// What is the same in all rows.
+/// The options that all rows share.
 std::string parameters(const Options& options) {
     particles::spacing_named(options.smoothing_from);
     const bool from_mean = options.smoothing_from == "mean";
@@ -57,7 +57,7 @@ std::string parameters(const Options& options) {
 void check_line(long N, double reach, std::size_t scalar) {
     if (N < 2) throw InvalidInput("a line needs at least 2 particles, got " + std::to_string(N));
     const auto count = static_cast<double>(N), size = static_cast<double>(scalar + sizeof(int));
-    // D and D², which sees as far again where D is applied twice.
+    // Rows of D, and of D², which are twice as wide where D is applied twice.
     const double once = count * std::min(2 * reach + 1, count),
                  twice = count * std::min(4 * reach + 1, count);
     base::require_memory_of_entries(std::to_string(N) + " particles", twice, (once + twice) * size,
@@ -105,7 +105,7 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
         .type_name("S")
         .excludes(positions)
         .within(1, largest_seed);
-    app.add_option("--seeds", options.seeds, "how many seeds: S, S+1, ... (default 1)")
+    app.add_option("--seeds", options.seeds, "number of seeds: S, S+1, ... (default 1)")
         .type_name("K")
         .excludes(positions)
         .within(1, 1000000);
@@ -141,7 +141,7 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
     const double count = static_cast<double>(wanted.size() * options.particles.size()) *
                          static_cast<double>(options.perturbations.size()) *
                          static_cast<double>(options.seeds);
-    constexpr double cells = 12;  // of a row, and of what was computed for it, at least
+    constexpr double cells = 12;  // least number of cells that a case takes, in its row and its results
     base::require_memory(
         base::shown(count) + " cases",
         count * (sizeof(Case) + sizeof(std::vector<Cell>) + (options.median ? 4 : cells) * sizeof(Cell)),

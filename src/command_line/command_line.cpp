@@ -32,29 +32,29 @@ CommandLine& CommandLine::operator=(CommandLine&&) noexcept = default;
 CommandLine::~CommandLine() = default;
 
 CommandLine::Option& CommandLine::Option::type_name(const std::string& shown) {
-    of_->type_name(shown);
+    option_->type_name(shown);
     return *this;
 }
 CommandLine::Option& CommandLine::Option::within(long least, long most) {
-    of_->check(CLI::Range(least, most));
+    option_->check(CLI::Range(least, most));
     return *this;
 }
 CommandLine::Option& CommandLine::Option::among(const std::vector<std::string>& words) {
-    of_->check(CLI::IsMember(words));
+    option_->check(CLI::IsMember(words));
     return *this;
 }
 CommandLine::Option& CommandLine::Option::excludes(const Option& other) {
-    of_->excludes(other.of_);
+    option_->excludes(other.option_);
     return *this;
 }
 CommandLine::Option& CommandLine::Option::required() {
-    of_->required();
+    option_->required();
     return *this;
 }
 
 namespace {
 
-/// What CLI11 would read as octal, hexadecimal or binary: a whole number with a zero before its digits.
+/// Refuses a whole number with a zero before its digits, which CLI11 would read as octal, hexadecimal or binary.
 std::string in_decimal(const std::string& text) {
     const std::size_t first = text.find_first_not_of("+-");
     if (first == std::string::npos || text[first] != '0' || first + 1 == text.size()) return {};
@@ -114,7 +114,7 @@ CommandLine::Option CommandLine::add_flag(const std::string& name, bool& value, 
 }
 
 void CommandLine::add_threads(int& threads) {
-    add_option("--threads", threads, "how many threads (default: all)")
+    add_option("--threads", threads, "number of threads (default: all)")
         .type_name("T")
         .within(1, most_threads);
 }
@@ -141,14 +141,14 @@ std::optional<int> CommandLine::read(int argc, char** argv) {
     }
     for (const CLI::Option* const option : app_->get_options())
         for (const std::string& value : option->results())
-            if (value.empty())  // a shell's variable that was never set, most likely
+            if (value.empty())  // most likely a shell variable that was never set
                 throw base::InvalidInput(option->get_name() + " is empty; give it a value or leave it out");
     return {};
 }
 
 namespace {
 
-/// A message with what would break its line, or colour a terminal, shown as ?, and without the middle of what would fill a screen.
+/// A message on one line: control characters become ?, and a long message loses its middle.
 std::string on_one_line(std::string text) {
     for (char& letter : text)
         if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
@@ -165,7 +165,7 @@ int run(CommandLine& app, int argc, char** argv, const std::function<int()>& bod
         return code;
     };
     try {
-        std::signal(SIGXFSZ, SIG_IGN);  // what is too large for the user's limit is an error like a full disk
+        std::signal(SIGXFSZ, SIG_IGN);  // a file above the user's limit is an error, as a full disk is
         omp_set_num_threads(std::min(omp_get_max_threads(), most_threads));
         const std::optional<int> asked = app.read(argc, argv);
         gsl_set_error_handler_off();

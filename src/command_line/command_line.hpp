@@ -13,17 +13,17 @@ class Option;
 
 namespace command_line {
 
-/// What a program can be asked, and what `--help` says of it: a thin face over CLI11, which takes longer to compile than most
-/// programs.
+/// The options of a program and its `--help`: a thin face over CLI11, which only command_line.cpp includes because it takes six
+/// seconds to compile.
 class CommandLine {
   public:
-    /// \param about a sentence or two \param name of the program \param examples the last lines of `--help`
+    /// \param about what the program does \param name of the program \param examples last lines of `--help`
     CommandLine(const std::string& about, const std::string& name, const std::string& examples = "");
     CommandLine(CommandLine&& other) noexcept;
     CommandLine& operator=(CommandLine&& other) noexcept;
     ~CommandLine();
 
-    /// One option. Each member narrows it and returns it.
+    /// One option. Each member adds a condition and returns the option.
     class Option {
       public:
         Option& type_name(const std::string& shown);
@@ -34,13 +34,13 @@ class CommandLine {
 
       private:
         friend CommandLine;
-        explicit Option(CLI::Option* of) : of_(of) {}
-        CLI::Option* of_;
+        explicit Option(CLI::Option* option) : option_(option) {}
+        CLI::Option* option_;
     };
 
-    /// \param name with dashes, or without for an argument by its place
-    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of strings that follow each
-    ///        other; it keeps what it holds where the option is not given
+    /// \param name with dashes; without them, an argument that is known by its place
+    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of strings separated by
+    ///        blanks; unchanged where the option is not given
     template <class Value>
     Option add_option(const std::string& name, Value& value, const std::string& about);
 
@@ -55,21 +55,21 @@ class CommandLine {
     void add_threads(int& threads);
     void add_output(std::string& file);
 
-    /// Lines of the options in `--help` begin their descriptions in this column.
+    /// Column of `--help` in which the descriptions of the options begin.
     void column_width(std::size_t letters);
 
     [[nodiscard]] std::string name() const;
 
-    /// Reads the arguments. \return 0 to stop, where help was asked for and printed; nothing to go on
-    /// \throws base::InvalidInput for what the options do not allow, and for an option with an empty value
+    /// Reads the arguments. \return an exit code of 0 if `--help` was printed, else nothing
+    /// \throws base::InvalidInput for arguments that the options do not allow, and for an empty value
     [[nodiscard]] std::optional<int> read(int argc, char** argv);
 
   private:
     std::unique_ptr<CLI::App> app_;
 };
 
-/// The body of any main: options are read, then the work is done. A message stays on one line, whatever an option holds.
-/// \return what the work returns; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
+/// The body of any main: reads the options, then runs `body`. An error is one line on standard error, whatever an option holds.
+/// \return what `body` returns; 2 for a bad invocation; 1 for a failed computation
 int run(CommandLine& app, int argc, char** argv, const std::function<int()>& body);
 
 }  // namespace command_line

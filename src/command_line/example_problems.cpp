@@ -110,7 +110,7 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
 }
 
 void check_cloud(double particles, double neighbours) {
-    // Two rows for each particle, two entries in each for a neighbour: by rows, by columns, and in factors that fill in.
+    // Two rows per particle, with two entries for each neighbour. Stored by rows, by columns, and in the factors.
     const double entries = 4 * particles * std::min(neighbours, particles);
     base::require_memory_of_entries(base::shown(particles, 12) + " particles", entries,
                                     3 * entries * (sizeof(double) + sizeof(int)),
@@ -246,7 +246,7 @@ void FieldFile::add(const ExampleCase& one, const Solved& solved) {
         const bool taken = vtk_.find("u_" + name + " ") != std::string::npos;
         return taken ? name + "_" + std::to_string(first / places.size()) : name;
     };
-    // Another material has other exact states.
+    // The exact states are written again where the material is another one.
     const auto exact = [&](std::size_t row) {
         const std::vector<Cell>& cells_of = table_.rows[row];
         return std::vector<Cell>(cells_of.begin() + static_cast<Index>(table_.column("u1_exact")),

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// A name, and not what stands for no number or an infinite one.
+/// Whether a line begins with a name. nan and inf are no names.
 bool starts_header(std::string_view line) {
     const std::string_view word = line.substr(0, line.find_first_of(", \t"));
     double number = 0;
@@ -34,7 +34,7 @@ bool starts_header(std::string_view line) {
            letter == '"';
 }
 
-/// The entry as a message shows it: in one line, not too long.
+/// An entry as messages show it: on one line, 40 characters at most.
 std::string quoted(std::string_view entry) {
     std::string text(entry.substr(0, 40));
     for (char& letter : text)
@@ -42,29 +42,29 @@ std::string quoted(std::string_view entry) {
     return "'" + text + "'";
 }
 
-/// A line of a file that says something.
+/// A line that is neither blank nor a comment.
 struct Line {
     long number;
-    std::string_view text;  ///< without a comment and the blanks around it
+    std::string_view text;  ///< without comment, and without blanks at its ends
 };
 
-/// Does something with each line of a text, except those that are empty and a header.
+/// Calls `act` for each line of a text, except blank lines, comments and a header.
 template <class Act>
 void for_each_line(std::string_view text, const Act& act) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the mark that some editors write first
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark of some editors
     bool first = true;
     for (long number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string_view said = trimmed(line.substr(0, line.find('#')));
-        if (said.empty()) continue;
-        if (!first || !starts_header(said)) act(Line{number, said});
+        const std::string_view content = trimmed(line.substr(0, line.find('#')));
+        if (content.empty()) continue;
+        if (!first || !starts_header(content)) act(Line{number, content});
         first = false;
     }
 }
 
-/// Refuses what an option's file says in a line.
+/// Throws an error that names the option, the file, the line and the entry.
 struct Refusal {
     std::string option, path;
     [[noreturn]] void operator()(const Line& line, std::string_view entry, const std::string& why) const {

@@ -28,3 +28,9 @@ TEST_CASE("progress: nothing is written where nobody looks") {
     }
     CHECK(file.str().empty());
 }
+
+TEST_CASE("progress: results stand in the order of the cases") {
+    const std::vector<int> cases{3, 1, 2};
+    const auto squares = command_line::computed_in_parallel(cases, [](int n) { return n * n; });
+    CHECK(squares == std::vector<int>{9, 1, 4});
+}
