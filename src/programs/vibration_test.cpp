@@ -83,24 +83,26 @@ std::vector<std::complex<double>> frequencies(const Options& options, const Case
     return vibration_test::frequencies(formulation_named(one.formulation), discrete);
 }
 
-/// The frequencies of the symbol of D²; none for finite elements and for particles that do not lie on a lattice.
-std::vector<double> symbol_frequencies(const Options& options, const Case& one) {
+/// The ratios of the symbol of D²; empty for finite elements and for particles that do not lie on a lattice.
+std::vector<Cell> symbol_ratios(const Options& options, const Case& one) {
+    std::vector<Cell> ratios(static_cast<std::size_t>(one.particles - 2));
     if (one.formulation.starts_with("fem") || one.perturbation != 0 || options.positions.size() > 0)
-        return {};
+        return ratios;
     const numerical_tests::Discretisation lattice{particles::volumes_named(options.volumes),
                                                   particles::kernel_named(options.kernel), options.smoothing};
-    return limit_stencils::symbol_frequencies(formulation_named(one.formulation), lattice, one.particles);
+    const std::vector<double> omega =
+        limit_stencils::symbol_frequencies(formulation_named(one.formulation), lattice, one.particles);
+    for (std::size_t k = 0; k < omega.size(); ++k)
+        ratios[k] = omega[k] / vibration_test::exact_frequency(static_cast<Index>(k + 1));
+    return ratios;
 }
 
 /// All modes of a case, beside the symbol's.
 void add_all_modes(report::Table& table, const Options& options, const Case& one) {
     const auto omega = frequencies(options, one);
-    const auto symbol = symbol_frequencies(options, one);
-    for (std::size_t k = 0; k < omega.size(); ++k) {
-        const auto n = static_cast<Index>(k + 1);
-        const Cell ratio = symbol.empty() ? Cell() : Cell(symbol[k] / vibration_test::exact_frequency(n));
-        table.rows.push_back(row(options, one, n, omega[k], ratio));
-    }
+    const auto ratios = symbol_ratios(options, one);
+    for (std::size_t k = 0; k < omega.size(); ++k)
+        table.rows.push_back(row(options, one, static_cast<Index>(k + 1), omega[k], ratios[k]));
 }
 
 report::Table table_of(const Options& options) {
