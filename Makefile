@@ -76,8 +76,8 @@ figures: $(data) $(figures) ## draw the figures of the papers into figures/
 check: $(bin)/check build ## run the tests
 	@$(bin)/check
 
-claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write the README's table
-	@$(bin)/walkthrough --write-readme
+claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write them into README.md and doc/reproduction.md
+	@$(bin)/walkthrough --write
 	$(bin)/claims --count $(filter %/claims.csv,$(ledger))
 
 clean: ## remove what was built

@@ -48,7 +48,9 @@ TEST_CASE("(9) holds inside and fails at the ends") {
     CHECK(total_derivative(at(1)) == support::relative(at(1).W(1), 1e-12));
 }
 
-TEST_CASE("A02: (7) and (10) agree where (9) holds, and (10) is exact on constants everywhere") {
+TEST_CASE(
+    "claims A-3.1-equivalent-inside, A-3.1-constants: (7) and (10) agree where (9) holds, and (10) is exact "
+    "on constants everywhere") {
     CHECK(first_derivative(Wave::B, at(0.5)) ==
           support::relative(interior_derivative(Wave::B, at(0.5)), 1e-12));
     for (const double x : {0.0, 0.01, 1.0}) {
@@ -68,12 +70,15 @@ TEST_CASE("(11) tends to (10) as δ/h → 0") {
         [](const CentredKernel& W_i) { return first_derivative(Wave::B, W_i); }, 1);
 }
 
-TEST_CASE("A03: at an end (10) tends to half the derivative, so that it does not converge") {
+TEST_CASE(
+    "claim A-3.1-DB-at-end: at an end (10) tends to half the derivative, so that it does not converge") {
     CHECK(first_derivative(Wave::B, at(0, 1e-4)) == support::relative(Wave::DB(0) / 2, 1e-3));
     CHECK(first_derivative(Wave::B, at(1, 1e-4)) == support::relative(Wave::DB(1) / 2, 1e-3));
 }
 
-TEST_CASE("A05: inside, (11) with h = δ stalls at the relative error of its missing denominator, 0.998") {
+TEST_CASE(
+    "claim A-3.2-original-inside: inside, (11) with h = δ stalls at the relative error of its missing "
+    "denominator, 0.998") {
     const auto [line, smoothing] = support::particles_of(200);
     const auto [r, W, DW, V] = particles::neighbourhood(line, smoothing, 100);
     const double denominator = -(r * DW * V).sum();

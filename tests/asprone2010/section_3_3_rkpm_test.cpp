@@ -29,7 +29,8 @@ TEST_CASE("(22): DK is the derivative of K") {
         CHECK(K_i.DW(x) == support::relative((K_i.W(x + 1e-6) - K_i.W(x - 1e-6)) / 2e-6, 1e-6));
 }
 
-TEST_CASE("A07: the corrected kernels have the moments 1, 0 and 1, 0, 0, at the ends too") {
+TEST_CASE(
+    "claims A-3.3-moments-*: the corrected kernels have the moments 1, 0 and 1, 0, 0, at the ends too") {
     for (const double x : {0.0, 0.013, 0.5, 1.0}) {
         const auto first = corrected<0, 1>(at(x));
         CHECK(first.moment(0, first.W) == support::relative(1, 1e-12));
@@ -57,7 +58,8 @@ TEST_CASE("the discrete moments of the discrete kernels are 1, 0 and 1, 0, 0 on 
 }
 
 TEST_CASE(
-    "A07: (21) errs by O(h²) with the first-order kernel, by O(h³) with the second-order one, O(h⁴) inside") {
+    "claims A-3.3-B-*: (21) errs by O(h²) with the first-order kernel, by O(h³) with the second-order one, "
+    "O(h⁴) inside") {
     const auto first = [](const CentredKernel& W_i) {
         return value(Wave::B, corrected<0, 1>(W_i)) - Wave::B(W_i.x);
     };

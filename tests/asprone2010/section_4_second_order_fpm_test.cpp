@@ -62,7 +62,9 @@ TEST_CASE("(42): the same moments as sums, on random particles") {
     }
 }
 
-TEST_CASE("A11: with the cubic (42) is regular for every particle; with a quadratic it is singular inside") {
+TEST_CASE(
+    "claims A-4-cubic-regular, A-4-quadratic-singular: with the cubic (42) is regular for every particle; "
+    "with a quadratic it is singular inside") {
     const auto [line, smoothing] = support::particles_of(100);
     for (Index i = 0; i < 100; ++i) {
         const auto near = particles::neighbourhood(line, smoothing, i);
@@ -71,7 +73,7 @@ TEST_CASE("A11: with the cubic (42) is regular for every particle; with a quadra
     }
 }
 
-TEST_CASE("A12: far from the boundary K is W over its discrete integral, 1.0001") {
+TEST_CASE("claim A-4-kernel-inside: far from the boundary K is W over its discrete integral, 1.0001") {
     const auto [line, smoothing] = support::particles_of(100);
     const auto near = particles::neighbourhood(line, smoothing, 50);
     const auto K = corrected(near);
@@ -82,7 +84,7 @@ TEST_CASE("A12: far from the boundary K is W over its discrete integral, 1.0001"
     CHECK((corrected(end).W - end.W).abs().maxCoeff() > 0.1);
 }
 
-TEST_CASE("A13: A11 of (43) vanishes for every particle, to round-off") {
+TEST_CASE("claim A-4-A11-vanishes: A11 of (43) vanishes for every particle, to round-off") {
     const auto [line, smoothing] =
         support::particles_of(100, {particles::Volumes::equal, particles::Gaussian{}, 1, 0.25});
     for (Index i = 0; i < 100; ++i)

@@ -71,7 +71,8 @@ TEST_CASE("(46): K is D² without the rows and columns of the ends") {
 }
 
 TEST_CASE(
-    "A21: sin(ωX) cos(ωt) with ω = πn satisfies (47), (48), (49), (50) and (51) with our signs; with the "
+    "claims A-5.3-end-conditions, A-5.3-printed-47: sin(ωX) cos(ωt) with ω = πn satisfies (47), (48), (49), "
+    "(50) and (51) with our signs; with the "
     "printed sign (47) "
     "leaves −2ω²x") {
     for (const Index n : {1, 2, 7}) {
@@ -105,7 +106,9 @@ TEST_CASE("5.3: ratios with 100 particles are those of an independent calculatio
     CHECK(ratios("second_order_fpm").size() == 98);
 }
 
-TEST_CASE("A22: original and RKPM spectra underestimate even the lowest mode and fall rapidly") {
+TEST_CASE(
+    "claims A-5.3-lowest-*, A-5.3-decrease-*: original and RKPM spectra underestimate even the lowest mode "
+    "and fall rapidly") {
     for (const auto volumes : {particles::Volumes::equal, particles::Volumes::partition}) {
         for (const char* name : {"original", "rkpm_first_order"}) {
             CHECK(ratios(name, volumes).front() < 0.7);
@@ -116,14 +119,15 @@ TEST_CASE("A22: original and RKPM spectra underestimate even the lowest mode and
     }
 }
 
-TEST_CASE("A23: the spectra of original and first-order RKPM overlap") {
+TEST_CASE("claim A-5.3-original-overlaps: the spectra of original and first-order RKPM overlap") {
     CHECK(largest_difference(ratios("original"), ratios("rkpm_first_order")) < 0.005);
     CHECK(largest_difference(ratios("original", particles::Volumes::partition),
                              ratios("rkpm_first_order", particles::Volumes::partition)) < 0.016);
 }
 
 TEST_CASE(
-    "A24: Chen–Beraun, modified and second-order FPM overlap, predict low modes well and resemble lumped "
+    "claims A-5.3-fpm-overlap, A-5.3-low-frequencies, A-5.3-finite-elements: Chen–Beraun, modified and "
+    "second-order FPM overlap, predict low modes well and resemble lumped "
     "FEM") {
     const auto chen_beraun = ratios("chen_beraun"), modified = ratios("modified_fpm"),
                second_order = ratios("second_order_fpm");

@@ -1,9 +1,11 @@
 #include "batra2008/section_4_1_plate.hpp"
 
 #include "tests/batra2008/elastic.hpp"
+#include "tests/claims.hpp"
 
 using namespace batra2008;
 using example_problems::Method;
+using support::expected;
 
 namespace {
 
@@ -71,40 +73,36 @@ TEST_CASE("(4.3): the stresses are in equilibrium") {
     }
 }
 
-TEST_CASE("(4.5): Table 1, six choices at corner 3") {
-    const std::array<double, 6> printed{-0.7097, -0.7092, -0.7094, -0.6955, -0.7020, -0.7049};
-    for (std::size_t k = 0; k < 6; ++k) {
+TEST_CASE("(4.5): Table 1, six choices at corner 3, claims B-4.1-table-1-*") {
+    for (const auto& pair : plate::choices_at_corner_3()) {
         plate::Corners corners = plate::default_corners();
-        corners[2] = plate::choices_at_corner_3()[k];
-        CHECK(std::abs(solved(Method::strong, 16, 4, corners).errors.log_dn - printed[k]) < 1e-4);
+        corners[2] = pair;
+        const double printed = expected("B-4.1-table-1-" + pair[0] + "-" + pair[1]);
+        CHECK(std::abs(solved(Method::strong, 16, 4, corners).errors.log_dn - printed) < 1e-4);
     }
 }
 
-TEST_CASE("(4.6): Table 2, three choices at corner 1 on four grids") {
+TEST_CASE("(4.6): Table 2, three choices at corner 1 on four grids, claims B-4.1-table-2-*") {
     const std::array<std::array<Index, 2>, 4> grids{{{16, 4}, {31, 7}, {61, 13}, {91, 19}}};
-    const std::array<std::array<double, 3>, 4> printed{{{-0.7501, -0.6319, -0.7097},
-                                                        {-1.215, -1.146, -1.195},
-                                                        {-1.814, -1.776, -1.804},
-                                                        {-2.166, -2.140, -2.159}}};
-    for (std::size_t grid = 0; grid < 4; ++grid)
-        for (std::size_t k = 0; k < 3; ++k) {
+    for (const auto& [nx, ny] : grids)
+        for (const auto& pair : plate::choices_at_corner_1()) {
             plate::Corners corners = plate::default_corners();
-            corners[0] = plate::choices_at_corner_1()[k];
-            const double found =
-                solved(Method::strong, grids[grid][0], grids[grid][1], corners).errors.log_dn;
-            CHECK(std::abs(found - printed[grid][k]) < 1e-3);
+            corners[0] = pair;
+            const double printed = expected("B-4.1-table-2-" + std::to_string(nx) + "x" + std::to_string(ny) +
+                                            "-" + pair[0] + "-" + pair[1]);
+            CHECK(std::abs(solved(Method::strong, nx, ny, corners).errors.log_dn - printed) < 1e-3);
         }
 }
 
-TEST_CASE("plate: the printed errors of the three methods") {
+TEST_CASE("plate: the printed errors of the three methods, claims B-4.1-E-* and B-4.1-u2-*") {
     const Result strong = solved(Method::strong, 16, 4), weak1 = solved(Method::weak1, 16, 4),
                  weak2 = solved(Method::weak2, 16, 4);
-    CHECK(std::abs(strong.errors.log_dn + 0.7097) < 1e-4);
-    CHECK(std::abs(strong.error_u2 - 19.51) < 0.01);
-    CHECK(std::abs(weak1.errors.log_nd + 2.012) < 0.01);
-    CHECK(std::abs(weak2.errors.log_dn + 1.63) < 0.03);
-    CHECK(std::abs(weak1.error_u2 - 1.06) < 0.03);
-    CHECK(std::abs(weak2.error_u2 - 2.34) < 0.1);
+    CHECK(std::abs(strong.errors.log_dn - expected("B-4.1-E-strong")) < 1e-4);
+    CHECK(std::abs(strong.error_u2 - expected("B-4.1-u2-strong")) < 0.01);
+    CHECK(std::abs(weak1.errors.log_nd - expected("B-4.1-E-weak1")) < 0.01);
+    CHECK(std::abs(weak2.errors.log_dn - expected("B-4.1-E-weak2")) < 0.03);
+    CHECK(std::abs(weak1.error_u2 - expected("B-4.1-u2-weak1")) < 0.03);
+    CHECK(std::abs(weak2.error_u2 - expected("B-4.1-u2-weak2")) < 0.1);
 }
 
 TEST_CASE("plate: rates of convergence as an independent calculation found them") {

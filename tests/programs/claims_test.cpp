@@ -5,14 +5,16 @@ using programs::run;
 TEST_CASE("claims: a claim without a computation is red, and so is a computation without a claim") {
     const programs::Folder folder;
     const std::string ledger = folder.path + "/claims.csv";
-    const std::string head = "id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n";
-    const std::string known = "A21,5.3,,a claim,a quantity,<,1e-12,0,a reason,a test\n";
-    report::write_whole(ledger, head + "A99,1,,a claim,a quantity,=,1,0,a reason,a test\n");
-    programs::check_refused("claims --ledger " + ledger, 1, "claim A99 has no computation that decides it");
+    const std::string head =
+        "id,old_id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n";
+    const std::string known = "A-5.3-end-conditions,A21,5.3,,a claim,a quantity,<,1e-12,0,a reason,a test\n";
+    report::write_whole(ledger, head + "A-1-none,,1,,a claim,a quantity,=,1,0,a reason,a test\n");
+    programs::check_refused("claims --ledger " + ledger, 1,
+                            "claim A-1-none has no computation that decides it");
     report::write_whole(ledger, head + known);
     programs::check_refused("claims --ledger " + ledger, 1, "every computation needs its row");
-    report::write_whole(ledger, head + known + "Z01,1,,a claim,a quantity,=,1,0,a reason,a test\n");
-    programs::check_refused("claims --ledger " + ledger, 1, "Z01 belongs to no paper");
+    report::write_whole(ledger, head + known + "Z-1-none,,1,,a claim,a quantity,=,1,0,a reason,a test\n");
+    programs::check_refused("claims --ledger " + ledger, 1, "Z-1-none belongs to no paper");
     programs::check_refused("claims --paper nonsense", 2, "there is no paper 'nonsense'");
     programs::check_refused("claims --ledger " + folder.path + "/missing.csv", 1, "cannot read");
     programs::check_refused("claims --nonsense", 2, "--nonsense");

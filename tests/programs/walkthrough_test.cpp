@@ -12,7 +12,7 @@ namespace {
 programs::Outcome in_changed_copy(const std::string& change, const std::string& options) {
     const programs::Folder folder;
     const std::string copy =
-        "cp -r paper src tests data doc '" + folder.path + "' && cd '" + folder.path + "' && ";
+        "cp -r paper tests data doc README.md '" + folder.path + "' && cd '" + folder.path + "' && ";
     return run("sh -c \"" + copy + change + " && walkthrough " + options + "\"");
 }
 
@@ -30,25 +30,25 @@ struct TwoPapers : programs::Folder {
               "B2.1,2.1,a basis,second/section_2_1_basis.hpp,second/basis_test.cpp\n"
               "B2.10,2.1,its order,second/section_2_1_basis.hpp,second/basis_test.cpp\n");
         write("paper/claims.csv",
-              "id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n"
-              "A01,2,2,(2) is exact and (2.1) a number,an error,<,1,0,a reason,first/sums_test.cpp\n"
-              "B01,2,2.10,(2.1) is exact and (2.5) a number,an error,<,1,0,a reason,"
+              "id,old_id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n"
+              "A-2-sum,A01,2,2,(2) is exact and (2.1) a number,an error,<,1,0,a reason,first/sums_test.cpp\n"
+              "B-2-basis,B01,2,2.10,(2.1) is exact and (2.5) a number,an error,<,1,0,a reason,"
               "second/basis_test.cpp\n");
         write("paper/items.csv",
               "paper,item,section,command,output,source\n"
               "first,Sums,2,make check,a.csv,a.hpp\nsecond,Basis,2,make check,b.csv,b.hpp\n");
         write("data/first/claims.csv",
               "id,statement,measured_equal,measured_partition,conditional,section,verdict\n"
-              "A01,< 1,0.5,0.25,,2,reproduced\n");
+              "A-2-sum,< 1,0.5,0.25,,2,reproduced\n");
         write("data/second/claims.csv",
               "id,statement,measured_dn,measured_nd,conditional,section,verdict\n"
-              "B01,< 1,1.5,1.25,,2,differs\n");
+              "B-2-basis,< 1,1.5,1.25,,2,differs\n");
         write("data/second/choices.csv",
               "choice,one,other,quantity,formulation,with_one,with_other\nerror,dn,nd,E,basis,1,2\n");
-        write("src/first/section_2_sums.hpp", "/// \\defeq{A2}\n");
-        write("src/second/section_2_1_basis.hpp", "/// \\defeq{B2.1}\n/// \\defeq{B2.10}\n");
         write("tests/first/sums_test.cpp", "TEST_CASE(\"sums: (2)\") {}\n");
         write("tests/second/basis_test.cpp", "TEST_CASE(\"basis: (2.1), (2.10) and (2)\") {}\n");
+        write("README.md",
+              "<!-- the sentence below is written by make claims -->\n<!-- end of the sentence -->\n");
         write("doc/reproduction.md",
               "<!-- the table below is written by make claims -->\n<!-- end of the table -->\n");
     }
@@ -63,7 +63,7 @@ struct TwoPapers : programs::Folder {
     }
 
     [[nodiscard]] programs::Outcome walkthrough() const {
-        return run("cd '" + path + "' && walkthrough --pages pages --write-readme");
+        return run("cd '" + path + "' && walkthrough --pages pages --write");
     }
 };
 
@@ -85,60 +85,48 @@ TEST_CASE("walkthrough: every equation is indexed, and pages are written for equ
         "true", "--pages pages && grep -c '^| .*anchor index_[AB]' pages/equations.md && ls pages");
     CHECK(code == 0);
     CHECK(errors.empty());
-    CHECK(output ==
-          "104 equations indexed, 0 without code or "
-          "test\n104\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
-}
-
-TEST_CASE("walkthrough: an equation without code, without test, or without a row is red") {
-    const auto without_code =
-        in_changed_copy("sed -i 's/.defeq{A16}//' src/asprone2010/section_3_2_chen_beraun.hpp", "");
-    CHECK(without_code.code == 1);
-    CHECK(without_code.errors.find("equation A16 must stand once above its code in src/asprone2010/") !=
-          std::string::npos);
-    const auto without_test =
-        in_changed_copy("sed -i 's/(16)/sixteen/' tests/asprone2010/section_3_2_chen_beraun_test.cpp", "");
-    CHECK(without_test.code == 1);
-    CHECK(without_test.errors.find("equation A16 is named by no test case") != std::string::npos);
-    const auto without_row = in_changed_copy("sed -i '/^A16,/d' paper/equations.csv", "");
-    CHECK(without_row.code == 1);
-    CHECK(without_row.errors.find("equation A16 of src/asprone2010/") != std::string::npos);
-    CHECK(without_row.errors.find("has no row") != std::string::npos);
+    CHECK(output == "104\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
 }
 
 TEST_CASE("walkthrough: a claim without a verdict is red") {
     const auto [code, output, errors] =
-        in_changed_copy("sed -i '/^A16,/d' data/asprone2010/claims.csv", "--pages pages");
+        in_changed_copy("sed -i '/^A-5.1-perturbed,/d' data/asprone2010/claims.csv", "--pages pages");
     CHECK(code == 1);
     CHECK(errors.find("has no verdict yet; run make claims") != std::string::npos);
 }
 
-TEST_CASE("walkthrough: a stale table of the pages is found, and written anew") {
-    const std::string stale = "sed -i 's/ reproduced/ refuted/' doc/reproduction.md";
-    CHECK(in_changed_copy("true", "--check-readme").code == 0);
-    const auto found = in_changed_copy(stale, "--check-readme");
-    CHECK(found.code == 1);
-    CHECK(found.errors.find("the table of doc/reproduction.md is stale") != std::string::npos);
-    CHECK(in_changed_copy(stale, "--write-readme && walkthrough --check-readme").code == 0);
+TEST_CASE("walkthrough: a stale sentence or table is found, and written anew") {
+    CHECK(in_changed_copy("true", "--check").code == 0);
+    for (const std::string file : {"README.md", "doc/reproduction.md"}) {
+        const std::string stale = "sed -i 's/ reproduced/ refuted/' " + file;
+        const auto found = in_changed_copy(stale, "--check");
+        CHECK(found.code == 1);
+        CHECK(found.errors.find(file + " is stale; run make claims") != std::string::npos);
+        CHECK(in_changed_copy(stale, "--write && walkthrough --check").code == 0);
+    }
 }
 
-TEST_CASE("walkthrough: pages and table are divided by paper, though sections have equal numbers") {
+TEST_CASE("walkthrough: pages are divided by paper, though sections have equal numbers") {
     const TwoPapers project;
     const auto [code, output, errors] = project.walkthrough();
     CHECK(errors.empty());
     CHECK(code == 0);
-    CHECK(in_order(project.read("pages/equations.md"),
-                   {"## First (1901)", "\\anchor index_A2 \\eq{A2} | \\ref first::sums \"2\"", "\\claim{A01}",
-                    "## Second (1902)", "\\anchor index_B2_1 \\eq{B2.1} | \\ref second::basis \"2.1\"",
-                    "\"tests\" |  |\n", "\\anchor index_B2_10 \\eq{B2.10}", "\\claim{B01}"}));
     CHECK(in_order(
-        project.read("pages/claims.md"),
-        {"## First (1901)", "equal, volumes are equal; partition, volumes tile",
-         "### Section 2: 1 of 1 reproduced", "| equal | partition |", "| 0.5 | 0.25 |", "## Second (1902)",
-         "### Section 2: 0 of 1 reproduced, 1 differs", "| dn | nd |", "| 1.5 | 1.25 |"}));
+        project.read("pages/equations.md"),
+        {"## First (1901)", "\\anchor index_A2 \\eq{A2} | \\ref first::sums \"2\"", "\\claim{A-2-sum}",
+         "## Second (1902)", "\\anchor index_B2_1 \\eq{B2.1} | \\ref second::basis \"2.1\"",
+         "\"tests\" |  |\n", "\\anchor index_B2_10 \\eq{B2.10}", "\\claim{B-2-basis}"}));
+    CHECK(in_order(project.read("pages/claims.md"),
+                   {"## First (1901)", "equal, volumes are equal; partition, volumes tile",
+                    "### Section 2: 1 of 1 reproduced", "\\anchor claims_A-2\n", "| equal | partition |",
+                    "\\anchor claim_A-2-sum ", "| 0.5 | 0.25 | A01 |", "## Second (1902)",
+                    "### Section 2: 0 of 1 reproduced, 1 differs", "| dn | nd |", "| 1.5 | 1.25 |"}));
     CHECK(in_order(project.read("pages/choices.md"), {"## Second (1902)", "companion_second", "### error"}));
+    CHECK(in_order(project.read("README.md"),
+                   {"Of the papers' 2 testable statements, 1 are reproduced, 0 hold under a condition, and 1 "
+                    "differ."}));
     CHECK(in_order(project.read("doc/reproduction.md"),
-                   {"| Sums |", "1 of 1 reproduced", "| Basis |", "1 differs"}));
+                   {"| Sums |", "[a.csv](../a.csv)", "1 of 1 reproduced", "| Basis |", "1 differs"}));
     for (const char* page : {"equations", "claims", "choices"})
         CHECK(project.read(std::string("pages/") + page + ".md").find("Third") == std::string::npos);
 }
