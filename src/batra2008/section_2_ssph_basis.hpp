@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
@@ -16,6 +15,7 @@
 #include "base/text.hpp"
 #include "particles/cloud.hpp"
 #include "particles/local_system.hpp"
+#include "solvers/cholesky.hpp"
 
 /// Batra and Zhang (2008), section by section.
 namespace batra2008 {
@@ -64,9 +64,9 @@ using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The matrix of the fit, and its right-hand sides; at most 20 monomials, those of degree 3 in space.
 template <class Scalar>
-using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 20, 20>;
+using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 template <class Scalar>
-using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, 20, 1>;
+using Vector = typename solvers::Cholesky<Scalar>::Vector;
 
 /// Exponents of a monomial, one for each coordinate.
 template <int dim>
@@ -297,9 +297,9 @@ class Basis {
           C_(C<Scalar>(D_, H_)),
           factors_(C_) {
         // A pivot that vanishes against its diagonal entry belongs to a monomial that the earlier ones give as well.
-        const auto pivots = factors_.matrixLLT().diagonal().array().square();
+        const auto pivots = factors_.L().diagonal().array().square();
         const Scalar least = (pivots / C_.diagonal().array()).minCoeff();
-        if (factors_.info() != Eigen::Success || !(least > singular))
+        if (!factors_.succeeded() || !(least > singular))
             throw particles::SingularNeighbourhood(least > 0 ? static_cast<double>(least) : 0);
     }
 
@@ -315,7 +315,7 @@ class Basis {
     /// All rows of K at once, \eq{B2.11}: a column here for each entry of Q, by substitution with the triangular factors of C
     /// for all particles together.
     [[nodiscard]] Table<Scalar> K() const {
-        const auto& L = factors_.matrixLLT();
+        const auto& L = factors_.L();
         Table<Scalar> all = D_;
         for (Index I = 0; I < n; ++I) {
             for (Index J = 0; J < I; ++J) all.col(I) -= L(I, J) * all.col(J);
@@ -391,7 +391,7 @@ class Basis {
     Scalar h_;
     Table<Scalar> H_, D_;
     Matrix<Scalar> C_;
-    Eigen::LLT<Matrix<Scalar>> factors_;
+    solvers::Cholesky<Scalar> factors_;
 };
 
 /// The matrix that spreads the particles of a support among all M. \defeq{B2.12}
