@@ -46,8 +46,9 @@ Formulation<Scalar> formulation(std::string_view name, std::string_view section,
 
 }  // namespace detail
 
-/// All formulations, in the paper's order. A rule returns both derivatives of a neighbourhood, or the first alone; then the
-/// section says how the second follows for the whole line: \eq{A12}, \eq{A26} and the end of Section 3.4.
+/// All formulations, in the paper's order. A rule returns both derivatives of a neighbourhood, or the first
+/// alone; then the section says how the second follows for the whole line: \eq{A12}, \eq{A26} and the end of
+/// Section 3.4.
 template <class Scalar = double>
 const std::vector<Formulation<Scalar>>& formulations() {
     using detail::formulation;
@@ -77,14 +78,23 @@ const std::vector<Formulation<Scalar>>& formulations() {
     return all;
 }
 
+// Compiled once for each precision: formulations_double.cpp, formulations_long.cpp, formulations_quad.cpp.
 extern template const std::vector<Formulation<double>>& formulations();
+extern template const std::vector<Formulation<long double>>& formulations();
+
+/// The formulation of a list that has a name.
+/// \throws base::InvalidInput where none has
+template <class Scalar>
+const Formulation<Scalar>& named(const std::vector<Formulation<Scalar>>& list, std::string_view wanted) {
+    std::vector<std::pair<std::string, const Formulation<Scalar>*>> known;
+    for (const auto& formulation : list) known.emplace_back(formulation.name, &formulation);
+    return *base::choose("formulation", wanted, known);
+}
 
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>
 const Formulation<Scalar>& formulation_named(std::string_view wanted) {
-    std::vector<std::pair<std::string, const Formulation<Scalar>*>> known;
-    for (const auto& formulation : formulations<Scalar>()) known.emplace_back(formulation.name, &formulation);
-    return *base::choose("formulation", wanted, known);
+    return named(formulations<Scalar>(), wanted);
 }
 
 }  // namespace asprone2010

@@ -4,16 +4,15 @@
 #include <string_view>
 #include <variant>
 
-#include "base/choose.hpp"
-#include "base/quad.hpp"
+#include "asprone2010/formulations_quad.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 
 namespace command_line {
 
 namespace {
 
-/// The derivatives of the SSPH basis with monomials of degree 2 at a particle, in units of h. The weights of a derivative sum
-/// to zero, so that they serve differences as well.
+/// The derivatives of the SSPH basis with monomials of degree 2 at a particle, in units of h. The weights of
+/// a derivative sum to zero, so that they serve differences as well.
 /// \param r, W offsets and kernel values of the particles
 template <class Scalar>
 particles::Derivatives<Scalar> derivatives(const particles::Column<Scalar>& r,
@@ -22,8 +21,8 @@ particles::Derivatives<Scalar> derivatives(const particles::Column<Scalar>& r,
     return {batra2008::ssph_basis::derivative(basis, 1), batra2008::ssph_basis::derivative(basis, 2)};
 }
 
-/// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15) with ρ = 4; the
-/// factor G cancels.
+/// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15)
+/// with ρ = 4; the factor G cancels.
 template <class Scalar>
 particles::Operators<Scalar> ssph(const particles::Line<Scalar>& line,
                                   const particles::Smoothing<Scalar>& smoothing,
@@ -47,11 +46,15 @@ const std::vector<asprone2010::Formulation<Scalar>>& formulations() {
     return all;
 }
 
+std::vector<std::string> formulation_names() {
+    std::vector<std::string> names;
+    for (const auto& formulation : formulations<double>()) names.emplace_back(formulation.name);
+    return names;
+}
+
 template <class Scalar>
 const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted) {
-    std::vector<std::pair<std::string, const asprone2010::Formulation<Scalar>*>> known;
-    for (const auto& formulation : formulations<Scalar>()) known.emplace_back(formulation.name, &formulation);
-    return *base::choose("formulation", wanted, known);
+    return asprone2010::named(formulations<Scalar>(), wanted);
 }
 
 template const std::vector<asprone2010::Formulation<double>>& formulations();

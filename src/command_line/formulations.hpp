@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace command_line {
 /// \tparam Scalar double, long double or base::Quad
 template <class Scalar = double>
 const std::vector<asprone2010::Formulation<Scalar>>& formulations();
+
+/// Their names.
+std::vector<std::string> formulation_names();
 
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>
