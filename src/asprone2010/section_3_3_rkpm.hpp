@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "asprone2010/section_3_1_original.hpp"
 
@@ -161,6 +162,28 @@ Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     }();
     const auto& [r, K, DK, V] = corrected_near;
     return -DK * V;
+}
+
+/// \eq{A25} for a whole line of particles, with the moments imposed on integrals as in the print. It serves to
+/// measure the effect of our choice, the sums.
+/// \tparam p the exponents of \f$C_i\f$
+/// \return D [1/length]
+template <int... p>
+Operator<double> first_derivative_by_integrals(const Line<double>& line,
+                                               const particles::Smoothing<double>& smoothing) {
+    std::vector<Eigen::Triplet<double>> weights;
+    for (Index i = 0; i < line.size(); ++i) {
+        const CentredKernel K_i =
+            corrected<p...>(particles::centred(smoothing.kernel(), line.x()[i], smoothing.h(), {0, 1}));
+        const auto near = particles::within_reach(line, smoothing, i);
+        for (Index j = near.first; j < near.last; ++j)
+            weights.emplace_back(static_cast<int>(i), static_cast<int>(j),
+                                 -K_i.DW(line.x()[j]) * line.V()[j]);
+    }
+    Operator<double> D(line.size(), line.size());
+    D.setFromTriplets(weights.begin(), weights.end());
+    particles::annihilate_constants(D);
+    return D;
 }
 
 /// Second derivative: \eq{A25} with DB in the place of B, \f$D^2 = D\,D\f$ as in \eq{A12}. \defeq{A26}

@@ -128,3 +128,29 @@ TEST_CASE("(22): two particles do not determine a quadratic correction") {
     CHECK_NOTHROW(corrected<0, 1>(two));
     CHECK_THROWS_AS((corrected<0, 1, 2>(two)), particles::SingularNeighbourhood);
 }
+
+TEST_CASE(
+    "(25) with moments imposed on integrals: inside, with a wide Gaussian, the weights are those of the "
+    "sums") {
+    const auto [line, smoothing] =
+        support::particles_of(60, {particles::Volumes::partition, particles::Gaussian{}, 2});
+    const Operator<double> first = first_derivative_by_integrals<0, 1>(line, smoothing),
+                           second = first_derivative_by_integrals<0, 1, 2>(line, smoothing);
+    const auto difference = [&, &line = line, &smoothing = smoothing](const Operator<double>& D, Index i,
+                                                                      const Column<double>& weights) {
+        const auto near = particles::within_reach(line, smoothing, i);
+        double largest = 0;
+        for (Index k = 0; k < weights.size(); ++k)
+            if (near.first + k != i)
+                largest =
+                    std::max(largest, std::abs(D.coeff(i, near.first + k) - weights[k] / smoothing.h()));
+        return largest * smoothing.h();
+    };
+    const auto near = particles::neighbourhood(line, smoothing, 30);
+    CHECK(difference(first, 30, first_derivative<1>(near)) < 1e-12);
+    CHECK(difference(second, 30, first_derivative<2>(near)) < 1e-12);
+    const Column<double> constant = Column<double>::Ones(60);
+    CHECK((particles::apply(first, constant) == 0).all());
+    const auto at_end = particles::neighbourhood(line, smoothing, 0);
+    CHECK(difference(second, 0, first_derivative<2>(at_end)) > 1e-3);
+}
