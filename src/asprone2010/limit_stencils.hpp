@@ -1,146 +1,110 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "base/text.hpp"
 
 namespace asprone2010 {
 
-/// Beyond the print: the exact leading error of every formulation, from its stencils on a lattice.
+/// Beyond the print: the rows of D and D² on particles at equal distances, and what follows from them.
 ///
-/// On particles at equal distances δ a row of D or D² has the same weights for every δ, but for the factor δ⁻¹ or δ⁻²; it depends
-/// only on how far the particle lies from the end. Taylor's expansion of B about the particle makes the row's error a sum over the
-/// derivatives of B,
-/// \f[ \sum_j w_j\,[B(x_j) - B(x_i)] - B^{(d)}(x_i) = \sum_{k \ge 1} \Big(\frac{m_k}{k!} - \delta_{kd}\Big)\,\delta^{\,k-d}\,B^{(k)}(x_i),
-///     \qquad m_k = \sum_j w_j\,r_j^k, \f]
-/// with weights and offsets r in units of δ. The first term that does not vanish is the leading error: its power of δ is the order,
-/// its factor the constant. Nothing is fitted. The programs `constants` and `stencil` print them; `constants` beside what eˣ shows
-/// at its right end in quadruple precision.
+/// Let the particles lie at equal distances δ. In units of δ a row of D or D² then has the same weights for
+/// every δ; it depends only on how far its particle lies from the end. Such a row is a limit stencil. Three
+/// things follow from its weights, none of them fitted: the **leading error** of every formulation with its
+/// exact constant, the **round-off** that limits every precision, and the **symbol**, which gives the
+/// frequencies of an infinite line.
 ///
 /// | in the formulas | code | meaning |
 /// | --- | --- | --- |
-/// | \f$w_j, r_j\f$ | `Stencil` | a row's weights and offsets, in units of δ |
+/// | \f$w_j, r_j\f$ | `Stencil` | weights and offsets of a row, in units of δ |
 /// | \f$m_k\f$ | `moment` | its k-th moment |
 /// | \f$d\f$ | `derivative` | 1 for D, 2 for D² |
 ///
-/// **Constants** (data/asprone2010/constants.csv). In the second derivative of eˣ at x = 1, with the paper's kernel and h = δ,
-/// Chen–Beraun errs by −1.07176 e = −2.91335 on however many particles; modified FPM by −1.01366 e δ, second-order FPM by
-/// −0.919921 e δ². With operators applied twice the error at the end grows like 1/δ; for FPM it tends to −0.47441 e. Also far from
-/// the ends the original formulation and both RKPMs have an error of order zero, 0.4 % of the second derivative and for second-order
-/// RKPM 3.9 %: sums over particles replace integrals of a Gaussian only up to \f$e^{-\pi^2 h^2/\delta^2}\f$, so that a wider
-/// smoothing length makes it vanish (at h = 2δ it is below 1e-13).
+/// **Leading errors.** Taylor's expansion of B about the particle turns the error of a row into a sum over
+/// the derivatives of B,
+/// \f[ \sum_j w_j\,[B(x_j) - B(x_i)] - B^{(d)}(x_i) = \sum_{k \ge 1} \Big(\frac{m_k}{k!} - \delta_{kd}\Big)\,\delta^{\,k-d}\,B^{(k)}(x_i),
+///     \qquad m_k = \sum_j w_j\,r_j^k, \f]
+/// where w and r are in units of δ, and B and its derivatives are in the unit of x. The first term that does
+/// not vanish is the leading error: its power of δ is the order, its factor is the constant. The program
+/// `constants` writes all of them to constants.csv, beside what eˣ shows in quadruple precision; the program
+/// `stencil` explains a single row. At the end, the second derivative by Chen and Beraun has an error that
+/// does not fall with δ, modified FPM is of first order and second-order FPM of second. Where D is applied
+/// twice, the error at the end grows like 1/δ; for FPM it tends to a constant. Far from the ends too, the
+/// original formulation and both RKPMs have an error of order zero: sums over particles replace integrals of
+/// a Gaussian only up to \f$e^{-\pi^2 h^2/\delta^2}\f$, so that a larger smoothing length makes it vanish.
 ///
-/// **Map of orders** (orders.csv): observed between 161, 321 and 641 particles; of perturbed ones, medians over five draws. For D and D²
-/// the paper's statements hold for every kernel and every h/δ with which a formulation can be computed, at equal distances and
-/// perturbed: orders 2 and 2 for second-order FPM, 2 and 1 for modified FPM (and SSPH), 1 and 0 for Chen–Beraun and FPM applied twice, 0 and −1 for
-/// the original formulation and RKPM. Two places depart: second-order FPM with a Gaussian of h = 0.6 δ on perturbed particles has order 0.7 in D, and
-/// modified FPM loses its order on perturbed particles for h beyond 3 δ. Which h can be computed depends on the kernel: its
-/// support must reach three particles for second-order FPM (h > 1.5 δ for a support of 2h, h > δ for 3h), two for the others that solve
-/// for both derivatives. For u the statements hold less widely. Second-order and modified FPM keep order 2, and Chen–Beraun order 1,
-/// at equal distances; where D is applied twice, u beyond h = 1.5 δ has no order: its system is nearly singular, and singular
-/// in the white squares.
+/// **Map of orders** (orders.csv). For D and D² the statements of the paper hold for every kernel and nearly
+/// every h/δ with which a formulation can be computed, on uniform and on perturbed particles: orders 2 and 2
+/// for second-order FPM, 2 and 1 for modified FPM (and SSPH), 1 and 0 for Chen–Beraun and FPM applied twice,
+/// 0 and −1 for the original formulation and RKPM. There are two exceptions, both on perturbed particles:
+/// second-order FPM with the narrowest Gaussian, and modified FPM with large smoothing lengths. Which h can
+/// be computed depends on the kernel. Its support must reach three particles for second-order FPM (h > 1.5 δ
+/// for a support of 2h, h > δ for 3h), and two for the others that solve for both derivatives. For u the
+/// statements hold less widely. At equal distances second-order and modified FPM keep order 2, and
+/// Chen–Beraun order 1. Where D is applied twice, u has no order beyond h = 1.5 δ: its system is nearly
+/// singular, and singular in the white squares.
 ///
 /// \image html asprone2010_figure_orders.svg "Observed orders of the errors of DB, D²B and u: formulations, in each the five kernels, against h/δ."
 ///
-/// **Precision** (precision.csv). Truncation falls like \f$\delta^p\f$ and round-off grows like \f$\delta^{-2}\f$, so that each
-/// precision has a best error. For second-order FPM the stencil predicts 1.9e-7 near 5 000 particles in double, 4.2e-9 near 35 000 in long double
-/// and 1.8e-16 near 1.7e8 in quadruple precision; the least measured are 1.8e-7 and 2.8e-9, at 10 000 and 30 000. Round-off stays below the
-/// prediction, which takes every rounding at its worst, and above a fifth of it.
+/// **Precision** (precision.csv). Truncation falls like \f$\delta^p\f$ and round-off grows like
+/// \f$\delta^{-2}\f$, so that each precision has a best error. The comments of the table have the errors that
+/// the stencil predicts, and its rows those that are measured. The prediction takes every rounding at its
+/// worst; the measured round-off is smaller, by less than a factor of five.
 ///
 /// \image html asprone2010_figure_precision.svg "Errors of D²B in double, long double and quadruple precision, with predictions."
 ///
-/// **Draws** (draws.csv). On perturbed particles the error is a random number; the figure has its distribution over 1000 draws.
+/// **Draws** (draws.csv). On perturbed particles the error is a random number; the figure has its
+/// distribution over 1000 draws.
 ///
 /// \image html asprone2010_figure_draws.svg "Distribution of the errors of D²B and u over 1000 draws of 160 perturbed particles."
 namespace limit_stencils {
 
-/// A row of an operator on a lattice of spacing one, particle i at r = 0.
+/// A row of an operator on particles at distances of one, particle i at r = 0.
 template <class Scalar>
 struct Stencil {
-    Column<Scalar> r,
-        w;  ///< offsets, and weights on \f$B(x_j) - B(x_i)\f$, in units of δ and \f$\delta^{-d}\f$
+    Column<Scalar> r;  ///< offsets \f$(x_j - x_i)/\delta\f$
+    Column<Scalar> w;  ///< weights on \f$B(x_j) - B(x_i)\f$ [\f$\delta^{-d}\f$]
 };
 
 /// Row i of an operator.
-/// \param unit spacing δ in which the stencil is written [length]
-/// \param derivative 1 or 2, what the operator approximates
+/// \param spacing δ [length]
+/// \param derivative 1 or 2, the order of the derivative that the operator approximates
 template <class Scalar>
-Stencil<Scalar> row(const Operator<Scalar>& D, const Line<Scalar>& line, Index i, const Scalar& unit,
+Stencil<Scalar> row(const Operator<Scalar>& D, const Line<Scalar>& line, Index i, const Scalar& spacing,
                     int derivative) {
     const Index size = D.outerIndexPtr()[i + 1] - D.outerIndexPtr()[i];
-    Stencil<Scalar> of{Column<Scalar>(size), Column<Scalar>(size)};
+    Stencil<Scalar> stencil{Column<Scalar>(size), Column<Scalar>(size)};
     Index k = 0;
     for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry, ++k) {
-        of.r[k] = (line.x()[entry.col()] - line.x()[i]) / unit;
-        of.w[k] = entry.value() * (derivative == 1 ? unit : unit * unit);
+        stencil.r[k] = (line.x()[entry.col()] - line.x()[i]) / spacing;
+        stencil.w[k] = entry.value() * (derivative == 1 ? spacing : spacing * spacing);
     }
-    return of;
+    return stencil;
 }
 
 /// \f$m_k = \sum_j w_j r_j^k\f$.
 template <class Scalar>
-Scalar moment(const Stencil<Scalar>& of, int k) {
-    Scalar sum(0);
-    for (Index j = 0; j < of.r.size(); ++j) {
-        Scalar power = of.w[j];
-        for (int n = 0; n < k; ++n) power *= of.r[j];
-        sum += power;
+Scalar moment(const Stencil<Scalar>& stencil, int k) {
+    Scalar m_k(0);
+    for (Index j = 0; j < stencil.r.size(); ++j) {
+        Scalar term = stencil.w[j];
+        for (int n = 0; n < k; ++n) term *= stencil.r[j];
+        m_k += term;
     }
-    return sum;
+    return m_k;
 }
 
-/// \f$\sum_j |w_j|\,|r_j|^k\f$: against it, a moment vanishes or does not.
+/// \f$\sum_j |w_j|\,|r_j|^k\f$: the size against which a moment vanishes or not.
 template <class Scalar>
-Scalar absolute_moment(const Stencil<Scalar>& of, int k) {
-    const Stencil<Scalar> absolute{of.r.abs(), of.w.abs()};
-    return moment(absolute, k);
+Scalar absolute_moment(const Stencil<Scalar>& stencil, int k) {
+    return moment(Stencil<Scalar>{stencil.r.abs(), stencil.w.abs()}, k);
 }
 
-/// \f$m_k/k! - \delta_{kd}\f$: the factor of \f$\delta^{k-d} B^{(k)}\f$ in the error.
-template <class Scalar>
-Scalar taylor_coefficient(const Stencil<Scalar>& of, int k, int derivative) {
-    Scalar factorial(1);
-    for (int n = 2; n <= k; ++n) factorial *= n;
-    return moment(of, k) / factorial - (k == derivative ? 1 : 0);
-}
-
-/// \f$\sum_j |w_j|\f$: by how much, times \f$\delta^{-d}\f$, errors in the values of B grow.
-template <class Scalar>
-Scalar amplification(const Stencil<Scalar>& of) {
-    return of.w.abs().sum();
-}
-
-/// The first term of the error that does not vanish: \f$C\,\delta^p\,B^{(p+d)}(x_i)\f$.
-template <class Scalar>
-struct LeadingError {
-    int exponent;     ///< p
-    Scalar constant;  ///< C
-};
-
-/// \param derivative 1 or 2
-/// \throws base::FailedComputation where the first twelve terms vanish to round-off
-template <class Scalar>
-LeadingError<Scalar> leading_error(const Stencil<Scalar>& of, int derivative) {
-    using std::abs, std::sqrt;
-    const Scalar negligible = sqrt(std::numeric_limits<Scalar>::epsilon());
-    for (int k = 1; k <= 12; ++k) {
-        const Scalar size = absolute_moment(of, k);
-        const Scalar coefficient = taylor_coefficient(of, k, derivative);
-        if (abs(coefficient) > negligible * (size > 1 ? Scalar(1) : size))
-            return {k - derivative, coefficient};
-    }
-    throw base::FailedComputation("no term of the error's expansion up to the twelfth derivative stands out");
-}
-
-/// Number of particles, at spacing δ, that a kernel reaches on one side.
-/// \throws base::InvalidInput unless that is positive and at most 100: stencils cost its third power
-template <class Scalar>
-Index reach_in_spacings(const numerical_tests::Discretisation& how) {
+/// How many particles at distances of δ the support of a kernel holds on one side.
+/// \throws base::InvalidInput unless that is between 1 and 100: the cost of a stencil grows with its third
+/// power
+inline Index reach_in_spacings(const numerical_tests::Discretisation& how) {
     const double reach = std::ceil(support<double>(how.kernel) * how.smoothing);
     if (!(reach > 0 && reach <= 100))
         throw base::InvalidInput("h/delta of " + base::shown(how.smoothing) +
@@ -149,47 +113,33 @@ Index reach_in_spacings(const numerical_tests::Discretisation& how) {
     return static_cast<Index>(reach);
 }
 
-/// The first particle, counted from the end, whose rows do not feel the end, though an operator be applied twice.
-template <class Scalar>
-Index first_interior(const numerical_tests::Discretisation& how) {
-    return 2 * reach_in_spacings<Scalar>(how);
+/// The first particle, counted from the end, whose rows do not feel the end, not even where an operator is
+/// applied twice.
+inline Index first_interior(const numerical_tests::Discretisation& how) {
+    return 2 * reach_in_spacings(how);
 }
 
-/// The right end of a lattice: as many particles at spacing δ, the last one at x = 1, as the rows of the outermost
-/// `rows` particles can feel.
+/// The right end of a long line: particles at distances of δ, the last one at x = 1, as many as the rows of
+/// the last particles can feel.
+/// \param from_end the rows asked for are those of the last particle and of this many before it
 template <class Scalar>
-numerical_tests::Particles<Scalar> right_end(const numerical_tests::Discretisation& how, Index rows,
+numerical_tests::Particles<Scalar> right_end(const numerical_tests::Discretisation& how, Index from_end,
                                              const Scalar& spacing) {
-    const Index N = rows + 3 * reach_in_spacings<Scalar>(how) + 2;
+    const Index N = from_end + 3 * reach_in_spacings(how) + 2;
     Column<Scalar> x(N);
     for (Index j = 0; j < N; ++j) x[j] = 1 - Scalar(N - 1 - j) * spacing;
     return numerical_tests::discretise<Scalar>(how, x);
 }
 
-/// The symbol of D² on the infinite lattice: \f$\lambda(\theta) = \sum_j w_j\,(\cos\theta r_j - 1)\f$, the eigenvalue times δ² of a
-/// wave with θ radians from a particle to the next. The exact one is −θ². Its imaginary part vanishes, since stencils inside are even.
+/// The limit stencil of a formulation near the right end of a line.
+/// \param from_end how many particles before the last one \param derivative 1 for D, 2 for D²
+/// \throws base::FailedComputation where the neighbourhood has too few particles
 template <class Scalar>
-Scalar symbol(const Stencil<Scalar>& of, const Scalar& theta) {
-    return (of.w * ((theta * of.r).cos() - 1)).sum();
-}
-
-/// The frequencies that the symbol gives to the N − 2 waves that vanish at both ends of a line of N particles,
-/// \f$\omega_n = \sqrt{-\lambda(\theta_n)}/\delta\f$ with \f$\theta_n = \pi n\,\delta\f$ and \f$\delta = 1/(N-1)\f$, in increasing order.
-/// Where λ is positive the frequency counts as zero.
-inline std::vector<double> symbol_frequencies(const Formulation<double>& formulation,
-                                              const numerical_tests::Discretisation& how, Index N) {
-    const Index rows = first_interior<double>(how);
-    const auto [line, smoothing] = right_end<double>(how, rows, 1.0);
-    const auto operators = formulation.operators(line, smoothing);
-    const auto inside = row<double>(operators.D2, line, line.size() - 1 - rows, 1.0, 2);
-    const auto intervals = static_cast<double>(N - 1);
-    std::vector<double> frequencies;
-    for (Index n = 1; n + 1 < N; ++n) {
-        const double theta = std::numbers::pi * static_cast<double>(n) / intervals;
-        frequencies.push_back(std::sqrt(std::max(-symbol(inside, theta), 0.0)) * intervals);
-    }
-    std::sort(frequencies.begin(), frequencies.end());
-    return frequencies;
+Stencil<Scalar> near_end(const Formulation<Scalar>& formulation, const numerical_tests::Discretisation& how,
+                         Index from_end, int derivative, const Scalar& spacing = Scalar(1)) {
+    const auto [line, smoothing] = right_end<Scalar>(how, from_end, spacing);
+    const auto [D, D2] = formulation.operators(line, smoothing);
+    return row<Scalar>(derivative == 1 ? D : D2, line, line.size() - 1 - from_end, spacing, derivative);
 }
 
 }  // namespace limit_stencils

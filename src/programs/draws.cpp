@@ -1,4 +1,3 @@
-#include <gsl/gsl_statistics_double.h>
 #include <algorithm>
 #include <array>
 #include <string>
@@ -10,23 +9,32 @@
 #include "base/text.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/lists.hpp"
 #include "command_line/options.hpp"
+#include "report/statistics.hpp"
 
 namespace {
 
 using namespace asprone2010;
 
+/// Which lines of particles are drawn.
+struct Draws {
+    std::vector<std::string> formulations{"all"};
+    long particles = 160;
+    double perturbation = 0.25;
+    unsigned long seeds = 1000;
+};
+
 /// Errors of DB, D²B and u for exp on every draw of perturbed particles, each in increasing order.
-std::array<std::vector<double>, 3> sorted_errors(const std::string& name, Index N, double perturbation,
-                                                 unsigned long seeds) {
+std::array<std::vector<double>, 3> sorted_errors(const std::string& name, const Draws& draws) {
     const auto& formulation = command_line::formulation_named(name);
     std::array<std::vector<double>, 3> errors;
-    for (auto& sample : errors) sample.resize(seeds);
-    base::for_each_index(static_cast<Index>(seeds), [&](Index k) {
+    for (auto& sample : errors) sample.resize(draws.seeds);
+    base::for_each_index(static_cast<Index>(draws.seeds), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
         numerical_tests::Discretisation how;
-        how.perturbation = perturbation;
-        const auto discrete = numerical_tests::discretise<double>(how, N, at + 1);
+        how.perturbation = draws.perturbation;
+        const auto discrete = numerical_tests::discretise<double>(how, draws.particles, at + 1);
         const auto derivatives =
             derivative_test::errors(formulation, discrete, derivative_test::exponential());
         errors[0][at] = derivatives.first;
@@ -37,6 +45,40 @@ std::array<std::vector<double>, 3> sorted_errors(const std::string& name, Index 
     return errors;
 }
 
+/// A row for each percentile of the three errors of a formulation.
+void add_percentiles(report::Table& table, const std::string& formulation, const Draws& draws) {
+    const auto errors = sorted_errors(formulation, draws);
+    for (long percent = 0; percent <= 100; ++percent) {
+        const auto quantile = [&](const std::vector<double>& sample) {
+            return report::quantile_of_sorted(sample, static_cast<double>(percent) / 100);
+        };
+        table.rows.push_back(
+            {formulation, percent, quantile(errors[0]), quantile(errors[1]), quantile(errors[2])});
+    }
+}
+
+report::Table percentiles(const Draws& draws) {
+    const numerical_tests::Discretisation how;
+    command_line::check_line(draws.particles, particles::support<double>(how.kernel) * how.smoothing);
+    report::Table table;
+    table.comments = {
+        "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section "
+        "5.2) "
+        "over seeds 1 to " +
+            std::to_string(draws.seeds),
+        std::to_string(draws.particles) + " particles, perturbed by " + base::shown(draws.perturbation) +
+            " delta, kernel gaussian, h/delta 1, volumes equal"};
+    table.columns = {{"formulation"},
+                     {"percentile"},
+                     {"error_first", {1e-6, 1e-12}},
+                     {"error_second", {1e-6, 2e-10}},
+                     {"error_displacement", {1e-6, 5e-10}}};
+    for (const std::string& name :
+         command_line::chosen("formulation", draws.formulations, command_line::formulation_names()))
+        add_percentiles(table, name, draws);
+    return table;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -44,56 +86,21 @@ int main(int argc, char** argv) {
         "The distribution of the errors of DB, D2B and u for exp over many draws of perturbed particles: "
         "percentiles.",
         "draws", "Example: draws --formulation modified_fpm,second_order_fpm --particles 160 --seeds 1000");
-    std::vector<std::string> wanted{"all"};
-    long N = 160;
-    double perturbation = 0.25;
-    unsigned long seeds = 1000;
+    Draws draws;
     int threads = 0;
     std::string output;
-    app.add_list("--formulation", wanted, "which formulations (default all)");
-    app.add_option("--particles", N, "number of particles (default 160)").type_name("N");
-    app.add_option("--perturb", perturbation, "amplitude of the perturbation in spacings (default 0.25)")
+    app.add_list("--formulation", draws.formulations, "which formulations (default all)");
+    app.add_option("--particles", draws.particles, "number of particles (default 160)").type_name("N");
+    app.add_option("--perturb", draws.perturbation,
+                   "amplitude of the perturbation in spacings (default 0.25)")
         .type_name("A");
-    app.add_option("--seeds", seeds, "draws: seeds 1, 2, ... (default 1000)")
+    app.add_option("--seeds", draws.seeds, "number of draws, with the seeds 1, 2, ... (default 1000)")
         .type_name("K")
         .within(2, 1000000);
     app.add_threads(threads);
     app.add_output(output);
-
     command_line::Figure figure{"asprone2010/figure_draws.gp"};
     command_line::add_plot_option(app, figure);
 
-    return command_line::run(app, argc, argv, threads, output, figure, [&] {
-        if (wanted == std::vector<std::string>{"all"}) {
-            wanted.clear();
-            for (const auto& of : command_line::formulations()) wanted.emplace_back(of.name);
-        }
-        const numerical_tests::Discretisation how;
-        command_line::check_line(N, particles::support<double>(how.kernel) * how.smoothing);
-        report::Table table;
-        table.comments = {
-            "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section "
-            "5.2) "
-            "over seeds 1 to " +
-                std::to_string(seeds),
-            std::to_string(N) + " particles, perturbed by " + base::shown(perturbation) +
-                " delta, kernel gaussian, h/delta 1, volumes equal"};
-        table.columns = {{"formulation"},
-                         {"percentile"},
-                         {"error_first", {1e-6, 1e-12}},
-                         {"error_second", {1e-6, 2e-10}},
-                         {"error_displacement", {1e-6, 5e-10}}};
-        for (const std::string& name : wanted) {
-            const auto errors = sorted_errors(name, N, perturbation, seeds);
-            for (long percent = 0; percent <= 100; ++percent) {
-                const auto quantile = [&](const std::vector<double>& sample) {
-                    return gsl_stats_quantile_from_sorted_data(sample.data(), 1, sample.size(),
-                                                               static_cast<double>(percent) / 100);
-                };
-                table.rows.push_back(
-                    {name, percent, quantile(errors[0]), quantile(errors[1]), quantile(errors[2])});
-            }
-        }
-        return table;
-    });
+    return command_line::run(app, argc, argv, threads, output, figure, [&] { return percentiles(draws); });
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "asprone2010/limit_stencils.hpp"
+#include "asprone2010/symbol.hpp"
 #include "base/memory.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"

@@ -18,14 +18,18 @@ struct Quartiles {
     double lower, median, upper;
 };
 
+/// The quantile of a sample in increasing order, between two of its numbers on the straight line between them.
+/// \param fraction 0 for the least, 1 for the largest
+inline double quantile_of_sorted(const std::vector<double>& sample, double fraction) {
+    return gsl_stats_quantile_from_sorted_data(sample.data(), 1, sample.size(), fraction);
+}
+
 /// \param sample at least one number
 inline Quartiles quartiles(std::vector<double> sample) {
     if (sample.empty()) throw base::InvalidInput("an empty sample has no median");
     std::sort(sample.begin(), sample.end());
-    const auto quantile = [&](double fraction) {
-        return gsl_stats_quantile_from_sorted_data(sample.data(), 1, sample.size(), fraction);
-    };
-    return {quantile(0.25), quantile(0.5), quantile(0.75)};
+    return {quantile_of_sorted(sample, 0.25), quantile_of_sorted(sample, 0.5),
+            quantile_of_sorted(sample, 0.75)};
 }
 
 /// Observed order p of errors that fall like \f$\delta^p\f$: the slope of the line fitted to their logarithms.

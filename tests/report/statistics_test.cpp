@@ -19,3 +19,11 @@ TEST_CASE("statistics: the observed order of a power is its exponent") {
     CHECK_THROWS_AS(report::observed_order({0.1}, {1}), base::InvalidInput);
     CHECK_THROWS_AS(report::observed_order({0.1, 0.2}, {1, 0}), base::InvalidInput);
 }
+
+TEST_CASE("quantiles lie on the straight lines between the numbers of the sample") {
+    const std::vector<double> sample{1, 2, 4, 8, 16};
+    CHECK(report::quantile_of_sorted(sample, 0) == 1);
+    CHECK(report::quantile_of_sorted(sample, 0.5) == 4);
+    CHECK(report::quantile_of_sorted(sample, 0.625) == 6);
+    CHECK(report::quantile_of_sorted(sample, 1) == 16);
+}
