@@ -15,7 +15,7 @@ using particles::Index;
 using particles::Point;
 using particles::Points;
 
-/// Draws from [−1, 1], the same for the same seed.
+/// Random numbers from [−1, 1], the same for the same seed.
 class Draws {
   public:
     explicit Draws(unsigned seed) : random_(seed) {}
@@ -32,7 +32,7 @@ class Draws {
     std::mt19937 random_;
 };
 
-/// N places in the unit cube.
+/// N random places in the unit cube.
 template <int dim>
 Points<dim> random_points(Index N, unsigned seed) {
     Draws draw(seed);
@@ -52,7 +52,7 @@ Points<dim> grid_points(Index n) {
     return x;
 }
 
-/// The same grid with every particle moved by up to a spacings.
+/// A grid whose particles are moved by up to a times the spacing.
 template <int dim>
 Points<dim> irregular_points(Index n, double a, unsigned seed) {
     Draws draw(seed);
@@ -61,7 +61,7 @@ Points<dim> irregular_points(Index n, double a, unsigned seed) {
     return x;
 }
 
-/// Particles as they may come, by the name of their kind: no two coincide.
+/// Clouds of many kinds by their names; no two particles coincide.
 template <int dim>
 std::vector<std::pair<std::string, Points<dim>>> all_kinds(Index N) {
     const Points<dim> random = random_points<dim>(N, 7);
