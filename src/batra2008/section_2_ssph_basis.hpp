@@ -7,12 +7,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <string>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "base/text.hpp"
 #include "particles/cloud.hpp"
 #include "particles/local_system.hpp"
 #include "solvers/cholesky.hpp"
@@ -26,51 +25,62 @@ using particles::Point;
 using particles::Points;
 using particles::Surroundings;
 
-/// Section 2, the SSPH basis: Taylor's expansion around a place x, fitted to the values at the particles near it.
+/// Section 2, the SSPH basis: a Taylor expansion around a place x, fitted to the values at the particles near
+/// x.
 ///
-/// The unknowns are the derivatives of f at x, the data are the values at the particles, and the kernel weighs them. What
-/// results is a set of basis functions for f and a set of its own for each derivative: none is differentiated.
+/// The unknowns are the derivatives of f at x, the data are the values at the particles, and the kernel
+/// weighs the data. The fit gives one set of basis functions for f and another for each derivative; none is
+/// found by differentiation.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$x,\ \xi^{g(j)}\f$ | `x`, `particle` | the place, and the particles in the kernel's support |
-/// | \f$P(\xi, x)\f$ | `P`, a row of `H` | monomials of the offset |
+/// | \f$P(\xi, x)\f$ | `P`, a column of `H` | monomials of the offset |
 /// | \f$Q(x)\f$ | `Q` | derivatives \f$\partial^a f/a!\f$ in the order of the monomials |
-/// | \f$W\f$ | `W` | kernel \eq{B3.15}; only its values enter |
-/// | \f$H, C, D\f$ | `H`, `C`, `D` | H and D are kept transposed, a row for each particle |
-/// | \f$K_{IJ}\f$ | `K(I)` | basis functions for the I-th entry of Q, one weight per particle J; I counts from 0 |
-/// | \f$m\f$ | `m` | degree up to which monomials are complete, 1, 2 or 3 |
+/// | \f$W\f$ | `W`, `diagonal(W)` | kernel \eq{B3.15}; only its values enter |
+/// | \f$H, C, D\f$ | `H`, `C`, `D` | matrices of the fit; H and D have a column for each particle |
+/// | \f$K_{IJ}\f$ | `K<I>(basis)` | basis functions for the I-th entry of Q, one weight for each particle J |
+/// | \f$m\f$ | `m` | degree up to which the monomials are complete: 1, 2 or 3 |
 ///
-/// The code serves one, two and three dimensions. Offsets are \f$s = (\xi - x)/h\f$, in units of the smoothing length: the condition of C
-/// then depends neither on h nor on the unit of length.
+/// The code serves one, two and three dimensions. Offsets are \f$s = (\xi - x)/h\f$, in units of the
+/// smoothing length: the condition of C then depends neither on h nor on the unit of length.
 ///
-/// Departures from the print: below \eq{B2.10} the product of the one-dimensional determinant runs over n1, n, n3; it must be n1, n2, n3.
-/// Enough particles do not make C non-singular: in two dimensions particles on a conic (a circle, say) leave it singular for
-/// m = 2, and a particle at a distance of ρh exactly has no weight.
+/// Departures from the print: below \eq{B2.10} the product of the one-dimensional determinant runs over n1,
+/// n, n3; it must be n1, n2, n3. Enough particles alone do not make C regular: in two dimensions, particles
+/// on a conic (a circle, say) leave it singular for m = 2, and a particle at a distance of exactly ρh has no
+/// weight.
 ///
 /// What this section claims, and what was measured: \claims{B-2}.
 namespace ssph_basis {
 
-/// Number of monomials of degree m or less in so many dimensions.
+/// Number of monomials up to degree m.
 template <int dim, int m>
 inline constexpr int terms = dim == 1   ? m + 1
                              : dim == 2 ? (m + 1) * (m + 2) / 2
                                         : (m + 1) * (m + 2) * (m + 3) / 6;
 
-/// A row for each particle of a support, a column for each monomial. The number of columns is no part of the type, nor are the sizes
-/// of the matrix of the fit: all dimensions and degrees then share their types, and compile in half of the time.
+/// A row for each monomial, a column for each particle of a support: H, D and K. Stored by rows, so that
+/// loops over the particles run through memory in order. Sizes are not part of the types: all dimensions and
+/// degrees share them, which halves the time to compile.
 template <class Scalar>
-using Table = Eigen::Array<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+using Table = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The matrix of the fit, and its right-hand sides; at most 20 monomials, those of degree 3 in space.
+/// The matrix C of the fit, an entry of Q for each monomial, and the monomials of one offset. There are at
+/// most 20 monomials, those of degree 3 in space.
 template <class Scalar>
 using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 template <class Scalar>
 using Vector = typename solvers::Cholesky<Scalar>::Vector;
+template <class Scalar>
+using RowVector = Eigen::Matrix<Scalar, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 20>;
 
 /// Exponents of a monomial, one for each coordinate.
 template <int dim>
 using Exponents = std::array<int, dim>;
+
+/// The derivatives of a function at a place, by their exponents.
+template <int dim>
+using Derivatives = std::function<double(const Exponents<dim>&)>;
 
 /// The monomials in the order of \eq{B2.3}: by degree; the pure powers of a degree come first.
 template <int dim, int m>
@@ -93,7 +103,7 @@ constexpr std::array<Exponents<dim>, terms<dim, m>> monomials() {
     return all;
 }
 
-/// a! of a monomial's exponents a, the factor between \f$\partial^a f\f$ and the entry of Q.
+/// a! for the exponents a: the factor between \f$\partial^a f\f$ and the entry of Q.
 template <int dim>
 constexpr int factorial(const Exponents<dim>& a) {
     int product = 1;
@@ -102,7 +112,7 @@ constexpr int factorial(const Exponents<dim>& a) {
     return product;
 }
 
-/// Degree of a monomial, the order of the derivative that belongs to it.
+/// Degree of a monomial, which is the order of its derivative in Q.
 template <int dim>
 constexpr int order(const Exponents<dim>& a) {
     int sum = 0;
@@ -112,7 +122,7 @@ constexpr int order(const Exponents<dim>& a) {
 
 namespace detail {
 
-/// Index of the monomial with one factor of a coordinate less; −1 where it has none.
+/// Index of the monomial with one factor fewer of a coordinate; −1 if it has no such factor.
 template <int dim, int m>
 constexpr int lowered(int monomial, int axis) {
     constexpr auto all = monomials<dim, m>();
@@ -124,7 +134,7 @@ constexpr int lowered(int monomial, int axis) {
     return -1;
 }
 
-/// First coordinate that a monomial contains.
+/// The first coordinate in a monomial.
 template <int dim, int m>
 constexpr int leading(int monomial) {
     constexpr auto all = monomials<dim, m>();
@@ -143,138 +153,159 @@ constexpr void unrolled(const Visit& visit) {
     (std::make_integer_sequence<int, n>{});
 }
 
-}  // namespace detail
-
-/// Taylor's expansion, the k-th power of the directional derivative multiplied out. \defeq{B2.1}
-/// \f[ f(\xi) = \sum_{k=0}^{m} \frac{1}{k!}\left[\sum_\alpha (\xi_\alpha - x_\alpha)\frac{\partial}{\partial x_\alpha}\right]^k f(x)
-///     = \sum_{|a| \le m} \frac{(\xi - x)^a}{a!}\,\partial^a f(x) \tag{2.1} \f]
-/// \param derivative \f$\partial^a f(x)\f$ by exponents a
-/// \param offset \f$\xi - x\f$
-template <int dim, int m>
-double taylor(const std::function<double(const Exponents<dim>&)>& derivative, const Point<dim>& offset) {
-    double f = 0;
-    for (const Exponents<dim>& a : monomials<dim, m>()) {
-        double power = 1;
-        for (std::size_t axis = 0; axis < dim; ++axis)
-            power *= std::pow(offset[static_cast<Index>(axis)], a[axis]);
-        f += power / factorial<dim>(a) * derivative(a);
-    }
-    return f;
+/// A value for each monomial, in their order.
+template <int dim, int m, class Value>
+Vector<double> for_each_monomial(const Value& value) {
+    Vector<double> all(terms<dim, m>);
+    Index I = 0;
+    for (const Exponents<dim>& a : monomials<dim, m>()) all[I++] = value(a);
+    return all;
 }
 
-/// The monomials of many offsets: the matrix H of \eq{B2.6}, transposed. A row is the P of a particle, its entries in the
-/// order that stands below \eq{B2.3}; each column is an earlier one times a coordinate. \defeq{B2.6}
+/// Sum of a term over 0 … N − 1.
+template <class Term>
+auto sum(Index N, const Term& term) {
+    auto total = term(0);
+    for (Index j = 1; j < N; ++j) total += term(j);
+    return total;
+}
+
+/// Sum of a term over all increasing choices of n numbers out of 0 … N − 1.
+template <class Term>
+double sum_over_choices(Index N, Index n, const Term& term) {
+    std::vector<Index> chosen(static_cast<std::size_t>(n));
+    std::iota(chosen.begin(), chosen.end(), 0);
+    double sum = 0;
+    for (Index k = N < n ? -1 : 0; k >= 0;) {
+        sum += term(chosen);
+        for (k = n - 1; k >= 0 && chosen[static_cast<std::size_t>(k)] == N - n + k;) --k;
+        if (k >= 0) std::iota(chosen.begin() + k, chosen.end(), chosen[static_cast<std::size_t>(k)] + 1);
+    }
+    return sum;
+}
+
+}  // namespace detail
+
+/// \f$s^a\f$, a monomial of an offset.
+template <int dim>
+double power(const Point<dim>& s, const Exponents<dim>& a) {
+    double product = 1;
+    for (std::size_t axis = 0; axis < dim; ++axis) product *= std::pow(s[static_cast<Index>(axis)], a[axis]);
+    return product;
+}
+
+/// Taylor's expansion, with the k-th power of the directional derivative multiplied out. \defeq{B2.1}
+/// \f[ f(\xi) = \sum_{k=0}^{m} \frac{1}{k!}\left[\sum_\alpha (\xi_\alpha
+///     - x_\alpha)\frac{\partial}{\partial x_\alpha}\right]^k f(x)
+///     = \sum_{|a| \le m} \frac{(\xi - x)^a}{a!}\,\partial^a f(x) \tag{2.1} \f]
+/// \param D \f$\partial^a f(x)\f$ by exponents a
+/// \param s offset \f$\xi - x\f$
+template <int dim, int m>
+double taylor(const Derivatives<dim>& D, const Point<dim>& s) {
+    const auto term = [&](const Exponents<dim>& a) { return power<dim>(s, a) / factorial<dim>(a) * D(a); };
+    return detail::for_each_monomial<dim, m>(term).sum();
+}
+
+/// The expansion as a product. \defeq{B2.2}
+/// \f[ f(\xi) = P(\xi, x)\,Q(x) \tag{2.2} \f]
+inline double value(const RowVector<double>& P, const Vector<double>& Q) {
+    return P * Q;
+}
+
+/// The unknowns: f and its derivatives at x, each divided by the factorials of its exponents. \defeq{B2.3}
+/// \f[ Q = \left[f,\ \frac{\partial f}{\partial x_1},\ \frac{\partial f}{\partial x_2},
+///     \ \frac{\partial f}{\partial x_3},
+///     \ \frac12\frac{\partial^2 f}{\partial x_1^2},\ \frac12\frac{\partial^2 f}{\partial x_2^2},
+///     \ \frac12\frac{\partial^2 f}{\partial x_3^2},
+///     \ \frac{\partial^2 f}{\partial x_1 \partial x_2},\ \frac{\partial^2 f}{\partial x_2 \partial x_3},
+///     \ \frac{\partial^2 f}{\partial x_1 \partial x_3}\right]^T \tag{2.3} \f]
+template <int dim, int m>
+Vector<double> Q(const Derivatives<dim>& D) {
+    return detail::for_each_monomial<dim, m>(
+        [&](const Exponents<dim>& a) { return D(a) / factorial<dim>(a); });
+}
+
+/// The monomials of an offset, in the order of \eq{B2.3}, below which they stand.
+template <int dim, int m>
+RowVector<double> P(const Point<dim>& s) {
+    return detail::for_each_monomial<dim, m>([&](const Exponents<dim>& a) { return power<dim>(s, a); })
+        .transpose();
+}
+
+/// One particle's equation for Q: the expansion \eq{B2.2} at it, times its kernel value and its monomials.
+/// \defeq{B2.4}
+/// \f[ f(\xi)\,W\,P^T = \left[P^T\,W\,P\right] Q \tag{2.4} \f]
+/// \return the matrix in brackets
+inline Matrix<double> outer_product(const RowVector<double>& P, double W) {
+    return P.transpose() * W * P;
+}
+
+/// The sum over the particles of the support; no volumes weigh it. \defeq{B2.5}
+/// \f[ \sum_{j=1}^{N} f(\xi^{g(j)})\,W\,P^T = \sum_{j=1}^{N} \left[P^T\,W\,P\right] Q \tag{2.5} \f]
+/// \param H the particles' monomials, \eq{B2.6}
+/// \return the matrix on the right, summed term by term
+inline Matrix<double> summed(const Table<double>& H, const Column<double>& W) {
+    return detail::sum(W.size(), [&](Index j) { return outer_product(H.col(j).transpose(), W[j]); });
+}
+
+/// The monomials of many offsets, a column for each particle; each row is an earlier one times a coordinate.
+/// \defeq{B2.6}
 /// \f[ H = \left[P^T(\xi^{g(1)}, x),\ \ldots,\ P^T(\xi^{g(N)}, x)\right], \quad
 ///     W = \operatorname{diag}\!\left(W(\xi^{g(j)}, x)\right), \quad
 ///     F^{(x)} = \left[f(\xi^{g(1)}),\ \ldots,\ f(\xi^{g(N)})\right]^T \tag{2.6} \f]
 /// \param s offsets, a row for each particle
 template <int dim, int m, class Scalar>
 Table<Scalar> H(const Eigen::Array<Scalar, Eigen::Dynamic, dim>& s) {
-    Table<Scalar> all(s.rows(), terms<dim, m>);
-    all.col(0).setOnes();
+    Table<Scalar> all(terms<dim, m>, s.rows());
+    all.row(0).setOnes();
     detail::unrolled<terms<dim, m> - 1>([&](auto before) {
         constexpr int k = before + 1, axis = detail::leading<dim, m>(k),
                       lower = detail::lowered<dim, m>(k, axis);
-        all.col(k) = all.col(lower) * s.col(axis);
+        all.row(k).array() = all.row(lower).array() * s.col(axis).transpose();
     });
     return all;
 }
 
-/// The expansion as a product. \defeq{B2.2}
-/// \f[ f(\xi) = P(\xi, x)\,Q(x) \tag{2.2} \f]
-template <int n>
-double value(const Eigen::Array<double, 1, n>& P, const Eigen::Matrix<double, n, 1>& Q) {
-    return P.matrix() * Q;
-}
-
-/// The unknowns: f and its derivatives at x, each divided by the factorials of its exponents. \defeq{B2.3}
-/// \f[ Q = \left[f,\ \frac{\partial f}{\partial x_1},\ \frac{\partial f}{\partial x_2},\ \frac{\partial f}{\partial x_3},
-///     \ \frac12\frac{\partial^2 f}{\partial x_1^2},\ \frac12\frac{\partial^2 f}{\partial x_2^2},\ \frac12\frac{\partial^2 f}{\partial x_3^2},
-///     \ \frac{\partial^2 f}{\partial x_1 \partial x_2},\ \frac{\partial^2 f}{\partial x_2 \partial x_3},
-///     \ \frac{\partial^2 f}{\partial x_1 \partial x_3}\right]^T \tag{2.3} \f]
-template <int dim, int m>
-Eigen::Matrix<double, terms<dim, m>, 1> Q(const std::function<double(const Exponents<dim>&)>& derivative) {
-    Eigen::Matrix<double, terms<dim, m>, 1> all;
-    Index k = 0;
-    for (const Exponents<dim>& a : monomials<dim, m>()) all[k++] = derivative(a) / factorial<dim>(a);
-    return all;
-}
-
-/// What one particle says of Q: the expansion \eq{B2.2} at it, times its kernel value and its monomials. \defeq{B2.4}
-/// \f[ f(\xi)\,W\,P^T = \left[P^T\,W\,P\right] Q \tag{2.4} \f]
-/// \return the matrix in brackets
-template <int n>
-Eigen::Matrix<double, n, n> outer_product(const Eigen::Array<double, 1, n>& P, double W) {
-    return P.matrix().transpose() * W * P.matrix();
-}
-
-/// The sum over the particles of the support, which no volumes weigh. \defeq{B2.5}
-/// \f[ \sum_{j=1}^{N} f(\xi^{g(j)})\,W\,P^T = \sum_{j=1}^{N} \left[P^T\,W\,P\right] Q \tag{2.5} \f]
-/// \return the matrix on the right, term by term
-template <int n>
-Eigen::Matrix<double, n, n> summed(const Eigen::Array<double, Eigen::Dynamic, n>& H,
-                                   const Column<double>& W) {
-    Eigen::Matrix<double, n, n> sum = Eigen::Matrix<double, n, n>::Zero();
-    for (Index j = 0; j < W.size(); ++j) sum += outer_product<n>(H.row(j), W[j]);
-    return sum;
+/// The matrix W of \eq{B2.6}.
+template <class Scalar>
+auto diagonal(const Column<Scalar>& W) {
+    return W.matrix().asDiagonal();
 }
 
 /// The same as a product of matrices. \defeq{B2.7}
 /// \f[ H\,W\,F^{(x)} = H\,W\,H^T\,Q(x) \tag{2.7} \f]
 /// \return both sides for given values and a given Q
-template <int n>
-std::array<Eigen::Matrix<double, n, 1>, 2> both_sides(const Eigen::Array<double, Eigen::Dynamic, n>& H,
-                                                      const Column<double>& W, const Column<double>& F,
-                                                      const Eigen::Matrix<double, n, 1>& Q) {
-    const auto HT = H.matrix();
-    return {HT.transpose() * (W * F).matrix(), HT.transpose() * (W.matrix().asDiagonal() * (HT * Q))};
+inline std::array<Vector<double>, 2> both_sides(const Table<double>& H, const Column<double>& W,
+                                                const Column<double>& F, const Vector<double>& Q) {
+    return {H * diagonal(W) * F.matrix(), H * diagonal(W) * H.transpose() * Q};
 }
 
-/// The weighted monomials, transposed as H is. \defeq{B2.8}
+/// The weighted monomials. \defeq{B2.8}
 /// \f[ C\,Q = D\,F^{(x)}, \quad C = H\,W\,H^T, \quad D = H\,W \tag{2.8} \f]
 template <class Scalar>
 Table<Scalar> D(const Table<Scalar>& H, const Column<Scalar>& W) {
-    return H.colwise() * W;
+    return H * diagonal(W);
 }
 
-/// The symmetric matrix of the fit: no derivative of the kernel enters. Only the lower half is computed. \defeq{B2.9}
+/// The symmetric matrix of the fit \eq{B2.8}: no derivative of the kernel enters. One half is computed.
+/// \defeq{B2.9}
 /// \f[ C = \left[W(g(1))\,P^T(g(1)),\ \ldots,\ W(g(N))\,P^T(g(N))\right]
 ///     \begin{bmatrix} P(g(1)) \\ \vdots \\ P(g(N)) \end{bmatrix} \tag{2.9} \f]
 template <class Scalar>
 Matrix<Scalar> C(const Table<Scalar>& D, const Table<Scalar>& H) {
-    const Index n = H.cols();
-    Matrix<Scalar> lower(n, n);
-    for (Index I = 0; I < n; ++I)
-        for (Index J = 0; J <= I; ++J) lower(I, J) = (D.col(J) * H.col(I)).sum();
-    return lower.template selfadjointView<Eigen::Lower>();
+    Matrix<Scalar> half(H.rows(), H.rows());
+    half.template triangularView<Eigen::Upper>() = D.lazyProduct(H.transpose());
+    return half.template selfadjointView<Eigen::Upper>();
 }
 
-/// The determinant of C by Binet and Cauchy: a sum of squares over all choices of n particles, positive unless every choice is
-/// degenerate. For small supports: the number of choices grows fast. \defeq{B2.10}
+/// The determinant of C by Binet and Cauchy: a sum of squares over all choices of n particles, positive
+/// unless every choice is degenerate. For small supports: the number of choices grows fast. \defeq{B2.10}
 /// \f[ \det C = \sum_{n_1 < \cdots < n_n} \prod_k W(g(n_k))
 ///     \left(\det\begin{bmatrix} P(g(n_1)) \\ \vdots \\ P(g(n_n)) \end{bmatrix}\right)^2 \tag{2.10} \f]
-template <int n>
-double determinant(const Eigen::Array<double, Eigen::Dynamic, n>& H, const Column<double>& W) {
-    double sum = 0;
-    std::array<Index, n> chosen;
-    const std::function<void(std::size_t, Index)> choose = [&](std::size_t count, Index first) {
-        if (count == n) {
-            Eigen::Matrix<double, n, n> rows;
-            double weight = 1;
-            for (std::size_t k = 0; k < n; ++k) {
-                rows.row(static_cast<Index>(k)) = H.row(chosen[k]).matrix();
-                weight *= W[chosen[k]];
-            }
-            sum += weight * std::pow(rows.determinant(), 2);
-            return;
-        }
-        for (Index j = first; j < W.size(); ++j) {
-            chosen[count] = j;
-            choose(count + 1, j + 1);
-        }
-    };
-    choose(0, 0);
-    return sum;
+inline double determinant(const Table<double>& H, const Column<double>& W) {
+    return detail::sum_over_choices(W.size(), H.rows(), [&](const std::vector<Index>& g) {
+        return W(g).prod() * std::pow(Matrix<double>(H(Eigen::all, g)).determinant(), 2);
+    });
 }
 
 /// The basis functions at a place, one set for each entry of Q.
@@ -287,105 +318,37 @@ class Basis {
 
     /// \param near the particles in the kernel's support around the place
     /// \param h smoothing length [length]
-    /// \throws particles::SingularNeighbourhood where the particles do not determine the monomials: they are too few, or all
-    ///         lie on a curve (a surface) that a polynomial of degree m describes
-    Basis(Surroundings<dim, Scalar> near, Scalar h)
-        : near_(std::move(near)),
-          h_(h),
-          H_(H<dim, m, Scalar>(near_.s)),
-          D_(D<Scalar>(H_, near_.W)),
-          C_(C<Scalar>(D_, H_)),
-          factors_(C_) {
-        // A pivot that vanishes against its diagonal entry belongs to a monomial that the earlier ones give as well.
-        const auto pivots = factors_.L().diagonal().array().square();
-        const Scalar least = (pivots / C_.diagonal().array()).minCoeff();
-        if (!factors_.succeeded() || !(least > singular))
-            throw particles::SingularNeighbourhood(least > 0 ? static_cast<double>(least) : 0);
-    }
+    /// \throws particles::SingularNeighbourhood if the particles do not determine the monomials: they are too
+    ///         few, or all lie on a curve (a surface) that a polynomial of degree m describes
+    Basis(Surroundings<dim, Scalar> near, Scalar h);
 
     [[nodiscard]] const std::vector<int>& particle() const { return near_.particle; }
-
-    /// A row of K, the weights on the values at the particles that give an entry of Q. \defeq{B2.11}
-    /// \f[ Q(x) = C^{-1} D\,F^{(x)} = K^{(x)} F^{(x)} \tag{2.11} \f]
-    /// \param I entry of Q, counted from 0 \return weights [1/length to the order of the derivative]
-    [[nodiscard]] Column<Scalar> K(Index I) const {
-        return near_.W * sum(factors_.solve(Vector<Scalar>::Unit(n, I)) / unit(I));
-    }
-
-    /// All rows of K at once, \eq{B2.11}: a column here for each entry of Q, by substitution with the triangular factors of C
-    /// for all particles together.
-    [[nodiscard]] Table<Scalar> K() const {
-        const auto& L = factors_.L();
-        Table<Scalar> all = D_;
-        for (Index I = 0; I < n; ++I) {
-            for (Index J = 0; J < I; ++J) all.col(I) -= L(I, J) * all.col(J);
-            all.col(I) *= 1 / L(I, I);
-        }
-        for (Index I = n - 1; I >= 0; --I) {
-            for (Index J = I + 1; J < n; ++J) all.col(I) -= L(J, I) * all.col(J);
-            all.col(I) *= 1 / L(I, I);
-        }
-        for (Index I = 1; I < n; ++I) all.col(I) *= 1 / unit(I);
-        return all;
-    }
-
-    /// The derivative of a row of K with respect to the place, exactly; h stays. From \f$C\,K = D\f$ follows
-    /// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values alone. H changes by
-    /// H S with a matrix S: in D and in the right factor of C that is the same change, and cancels; the left factor leaves a row of S.
-    /// \return weights [1/length to the order of the derivative + 1]
-    [[nodiscard]] Column<Scalar> differentiated(Index I, int axis) const {
-        const Column<Scalar>& W = near_.W;
-        const Column<Scalar> dW = 2 * near_.s.col(axis) * (W + near_.edge);
-        const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I));
-        const Column<Scalar> p = sum(a);
-        const Vector<Scalar> dC_a =
-            row_of_S(I, axis) + H_.matrix().transpose().lazyProduct((dW * p).matrix());
-        return (dW * p - W * sum(factors_.solve(dC_a))) / (unit(I) * h_);
-    }
-
-    /// Condition number of C in the 2-norm.
-    [[nodiscard]] Scalar condition() const {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixX<Scalar>> spectrum(C_, Eigen::EigenvaluesOnly);
-        return spectrum.eigenvalues()[n - 1] / spectrum.eigenvalues()[0];
-    }
+    [[nodiscard]] Table<Scalar> K() const;
+    [[nodiscard]] Column<Scalar> row(Index I) const;
+    [[nodiscard]] Column<Scalar> DK(Index I, int axis) const;
+    [[nodiscard]] Scalar condition() const;
 
     /// The matrix of the fit, \eq{B2.9}.
     [[nodiscard]] const Matrix<Scalar>& matrix() const { return C_; }
 
   private:
-    /// Below, half of the digits of a second derivative are lost.
+    /// Smallest pivot of C, relative to the diagonal: with a smaller one a second derivative loses half of
+    /// its digits.
     static constexpr double singular = 1e-10;
 
     /// \f$P\,a\f$ for each particle.
-    [[nodiscard]] auto sum(const Vector<Scalar>& a) const {
-        return H_.matrix().lazyProduct(a).array().eval();
+    [[nodiscard]] Column<Scalar> P_times(const Vector<Scalar>& a) const {
+        return H_.transpose().lazyProduct(a).array();
     }
+    /// h to the order of the derivative in an entry of Q.
     [[nodiscard]] Scalar unit(Index I) const {
         Scalar power(1);
-        for (int k = 0; k < order<dim>(monomials<dim, m>()[static_cast<std::size_t>(I)]); ++k) power *= h_;
+        for (int k = 0; k < order<dim>(monomials<dim, m>()[static_cast<std::size_t>(I - 1)]); ++k)
+            power *= h_;
         return power;
     }
 
-    /// Row I of S in \f$\partial H = H S\f$, in units of h: with the place a monomial of the offset changes by minus its exponent times
-    /// the monomial with one factor less.
-    [[nodiscard]] static Vector<Scalar> row_of_S(Index I, int axis) {
-        Vector<Scalar> row = Vector<Scalar>::Zero(n);
-        for (int k = 1; k < n; ++k)
-            if (lower_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)] == I)
-                row[k] = -exponent(k, axis);
-        return row;
-    }
-    static constexpr int exponent(int monomial, int axis) {
-        return monomials<dim, m>()[static_cast<std::size_t>(monomial)][static_cast<std::size_t>(axis)];
-    }
-    static constexpr auto lower_ = [] {
-        std::array<std::array<int, n>, dim> table{};
-        for (int axis = 0; axis < dim; ++axis)
-            for (int k = 0; k < n; ++k)
-                table[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)] =
-                    detail::lowered<dim, m>(k, axis);
-        return table;
-    }();
+    [[nodiscard]] static Vector<Scalar> T(Index I, int axis);
 
     Surroundings<dim, Scalar> near_;
     Scalar h_;
@@ -393,6 +356,90 @@ class Basis {
     Matrix<Scalar> C_;
     solvers::Cholesky<Scalar> factors_;
 };
+
+template <int dim, int m, class Scalar>
+Basis<dim, m, Scalar>::Basis(Surroundings<dim, Scalar> near, Scalar h)
+    : near_(std::move(near)),
+      h_(h),
+      H_(H<dim, m, Scalar>(near_.s)),
+      D_(D<Scalar>(H_, near_.W)),
+      C_(C<Scalar>(D_, H_)),
+      factors_(C_) {
+    // A pivot that vanishes beside its diagonal entry belongs to a monomial that the earlier ones determine.
+    const auto pivots = factors_.L().diagonal().array().square();
+    const Scalar least = (pivots / C_.diagonal().array()).minCoeff();
+    if (!factors_.succeeded() || !(least > singular))
+        throw particles::SingularNeighbourhood(least > 0 ? static_cast<double>(least) : 0);
+}
+
+/// The basis functions: the weights on the values at the particles that give Q. \defeq{B2.11}
+/// \f[ Q(x) = C^{-1} D\,F^{(x)} = K^{(x)} F^{(x)} \tag{2.11} \f]
+/// \return a row for each entry of Q [1/length to the order of its derivative]
+template <int dim, int m, class Scalar>
+Table<Scalar> Basis<dim, m, Scalar>::K() const {
+    Vector<Scalar> per_unit(n);
+    for (Index I = 1; I <= n; ++I) per_unit[I - 1] = 1 / unit(I);
+    return per_unit.asDiagonal() * particles::solved(factors_, D_);
+}
+
+/// A row of K, \eq{B2.11}, from one solution with C: \f$K_{IJ} = W_J\,P_J\,C^{-1} e_I\f$, since C is
+/// symmetric.
+/// \param I entry of Q, from 1 to n as in the print
+/// \return weights [1/length to the order of the derivative]
+template <int dim, int m, class Scalar>
+Column<Scalar> Basis<dim, m, Scalar>::row(Index I) const {
+    return near_.W * P_times(factors_.solve(Vector<Scalar>::Unit(n, I - 1)) / unit(I));
+}
+
+/// Column I of the matrix T in \f$\partial H = T\,H\f$, in units of h: as the place moves, a monomial of the
+/// offset changes by minus its exponent times the monomial with one factor fewer.
+template <int dim, int m, class Scalar>
+Vector<Scalar> Basis<dim, m, Scalar>::T(Index I, int axis) {
+    static constexpr auto lowered = [] {
+        std::array<std::array<int, n>, dim> table{};
+        for (int along = 0; along < dim; ++along)
+            for (int k = 0; k < n; ++k)
+                table[static_cast<std::size_t>(along)][static_cast<std::size_t>(k)] =
+                    detail::lowered<dim, m>(k, along);
+        return table;
+    }();
+    static constexpr auto exponents = monomials<dim, m>();
+    const auto coordinate = static_cast<std::size_t>(axis);
+    Vector<Scalar> column = Vector<Scalar>::Zero(n);
+    for (std::size_t k = 1; k < n; ++k)
+        if (lowered[coordinate][k] == I - 1) column[static_cast<Index>(k)] = -exponents[k][coordinate];
+    return column;
+}
+
+/// The exact derivative of a row of K with respect to the place; h is constant. From \f$C\,K = D\f$ follows
+/// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values
+/// alone. H changes by T H: in D and in the left factor of C this change is the same and cancels; in the right
+/// factor it leaves a column of T.
+/// \param I entry of Q, from 1 to n \param axis coordinate, from 0
+/// \return weights [1/length to the order of the derivative + 1]
+template <int dim, int m, class Scalar>
+Column<Scalar> Basis<dim, m, Scalar>::DK(Index I, int axis) const {
+    const Column<Scalar>& W = near_.W;
+    const Column<Scalar> DW = 2 * near_.s.col(axis) * (W + near_.edge);
+    const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I - 1));
+    const Column<Scalar> p = P_times(a);
+    const Vector<Scalar> DC_a = T(I, axis) + H_.lazyProduct((DW * p).matrix());
+    return (DW * p - W * P_times(factors_.solve(DC_a))) / (unit(I) * h_);
+}
+
+/// Condition number of C in the 2-norm.
+template <int dim, int m, class Scalar>
+Scalar Basis<dim, m, Scalar>::condition() const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixX<Scalar>> spectrum(C_, Eigen::EigenvaluesOnly);
+    return spectrum.eigenvalues()[n - 1] / spectrum.eigenvalues()[0];
+}
+
+/// \f$K_{IJ}\f$, a row of \eq{B2.11}: `K<4>(basis)` is \f$K_{4J}\f$.
+template <int I, int dim, int m, class Scalar>
+Column<Scalar> K(const Basis<dim, m, Scalar>& basis) {
+    static_assert(1 <= I && I <= terms<dim, m>);
+    return basis.row(I);
+}
 
 /// The matrix that spreads the particles of a support among all M. \defeq{B2.12}
 /// \f[ S_{j\,g(j)} = 1, \quad S\,S^T = I_N \tag{2.12} \f]
@@ -405,7 +452,7 @@ inline Eigen::SparseMatrix<double> selection(const std::vector<int>& particle, I
     return S;
 }
 
-/// The same estimate with the values of all particles, of which S picks. \defeq{B2.13}
+/// The same estimate from the values of all particles, from which S picks. \defeq{B2.13}
 /// \f[ Q = \left(K^{(x)} S\right)\left(S^T F^{(x)}\right) \tag{2.13} \f]
 inline double through_selection(const Column<double>& K_I, const Eigen::SparseMatrix<double>& S,
                                 const Column<double>& F_x) {
@@ -420,79 +467,24 @@ inline Column<double> spread(const Column<double>& K_I, const Eigen::SparseMatri
 
 /// The weights of a derivative: a row of K times the factorials that \eq{B2.3} takes out. \defeq{B2.15}
 /// \f[ \partial^a f(x) = a!\,\sum_J K_{IJ} F_J: \quad f = \sum_J K_{1J} F_J, \quad
-///     \frac{\partial f}{\partial x_1} = \sum_J K_{2J} F_J, \quad \frac{\partial^2 f}{\partial x_1^2} = \sum_J 2 K_{5J} F_J \tag{2.15} \f]
+///     \frac{\partial f}{\partial x_1} = \sum_J K_{2J} F_J, \quad \frac{\partial^2 f}{\partial x_1^2}
+///     = \sum_J 2 K_{5J} F_J \tag{2.15} \f]
+/// \param a exponents, whose monomial is the I-th
 template <int dim, int m, class Scalar>
-Column<Scalar> derivative(const Basis<dim, m, Scalar>& basis, Index I) {
-    return factorial<dim>(monomials<dim, m>()[static_cast<std::size_t>(I)]) * basis.K(I);
+Column<Scalar> derivative(const Basis<dim, m, Scalar>& basis, const std::type_identity_t<Exponents<dim>>& a) {
+    static constexpr auto all = monomials<dim, m>();
+    const Index I = std::find(all.begin(), all.end(), a) - all.begin() + 1;
+    return factorial<dim>(a) * basis.row(I);
 }
 
-/// The other way to a derivative, that of finite elements: differentiate the basis function of the values. \defeq{B2.16}
-/// \f[ \frac{\partial f}{\partial x_\alpha} = \sum_J \frac{\partial N_J}{\partial x_\alpha} F_J, \quad N_J = K_{1J} \tag{2.16} \f]
+/// The other way to a derivative, that of finite elements: differentiate the basis function of the values.
+/// \defeq{B2.16}
+/// \f[ \frac{\partial f}{\partial x_\alpha} = \sum_J \frac{\partial N_J}{\partial x_\alpha} F_J, \quad N_J
+///     = K_{1J} \tag{2.16} \f]
+/// \param axis coordinate, from 0
 template <int dim, int m, class Scalar>
 Column<Scalar> differentiated_value(const Basis<dim, m, Scalar>& basis, int axis) {
-    return basis.differentiated(0, axis);
-}
-
-/// Would these particles of a cloud determine the monomials?
-/// \param among the particles that come into question
-template <int m, int dim>
-bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                const Point<dim>& x, double h, const std::vector<int>& among) {
-    try {
-        const Basis<dim, m> basis(particles::surroundings(cloud, kernel, x, h, among), h);
-        return true;
-    } catch (const particles::SingularNeighbourhood&) {
-        return false;
-    }
-}
-
-/// "ssph_basis: at (0.1, 0.2) there are 5 particles within 2h = 0.1, and 6 monomials of degree 2"
-template <int dim, int m>
-[[noreturn]] void refuse(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h,
-                         std::size_t found, const std::string& why) {
-    constexpr int n = terms<dim, m>;
-    std::string remedy = "take at least " + std::to_string(n) + " particles";
-    if (cloud.size() >= n) {
-        Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
-        std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
-        const double enough = std::floor(10 * distance[n - 1] / h * (1 + 1e-6) + 1);
-        remedy = "take other particles";
-        for (int more = 0; more < 50; ++more) {
-            const double scaling = (std::max(enough, std::ceil(10 * rho + 5)) + more) / 10;
-            const particles::TruncatedGaussian<dim> larger(scaling);
-            if (!determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h))) continue;
-            remedy = "try --scaling " + base::shown(scaling);
-            break;
-        }
-    }
-    throw base::FailedComputation("ssph_basis: at " + particles::shown_point(x) + " there are " +
-                                  std::to_string(found) + " particles within " + base::shown(rho) +
-                                  "h = " + base::shown(rho * h, 3) + " for the " + std::to_string(n) +
-                                  " monomials of degree " + std::to_string(m) + why + "; " + remedy);
-}
-
-/// The basis at any place of a cloud.
-/// \param among the particles that come into question
-/// \throws base::FailedComputation naming the place, its particles, the monomials and a remedy where they do not suffice
-template <int m, int dim>
-Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, const std::vector<int>& among) {
-    Surroundings<dim> near = particles::surroundings(cloud, kernel, x, h, among);
-    const std::size_t found = near.particle.size();
-    if (found < static_cast<std::size_t>(terms<dim, m>)) refuse<dim, m>(cloud, kernel.rho(), x, h, found, "");
-    try {
-        return Basis<dim, m>(std::move(near), h);
-    } catch (const particles::SingularNeighbourhood& singular) {
-        refuse<dim, m>(cloud, kernel.rho(), x, h, found,
-                       std::string(", which they do not determine: ") + singular.what());
-    }
-}
-
-/// The same, found in the cloud.
-template <int m, int dim>
-Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h) {
-    return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h));
+    return basis.DK(1, axis);
 }
 
 }  // namespace ssph_basis

@@ -10,7 +10,7 @@
 
 #include "base/choose.hpp"
 #include "base/text.hpp"
-#include "batra2008/section_2_ssph_basis.hpp"
+#include "batra2008/basis_at.hpp"
 #include "particles/region.hpp"
 
 namespace batra2008 {
@@ -22,7 +22,7 @@ using Stress = Eigen::Vector3d;
 /// Strains \f$[\varepsilon_{11}, \varepsilon_{22}, 2\varepsilon_{12}]\f$.
 using Strain = Eigen::Vector3d;
 
-/// Section 3, plane elastostatics: equilibrium, boundary conditions and Hooke's law, which the three methods share.
+/// Section 3, plane elastostatics, common to the three methods: equilibrium, boundary conditions, Hooke's law.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
@@ -30,13 +30,44 @@ using Strain = Eigen::Vector3d;
 /// | \f$E,\ \nu\f$ | `Material::E`, `Material::nu` | Young's modulus, Poisson's ratio |
 /// | \f$E_0,\ \nu_0\f$ | `E0(material)`, `nu0(material)` | their plane equivalents |
 /// | \f$\Gamma_u,\ \Gamma_t\f$ | `Side::displaced` | where a component of u, or of the traction, is given |
-/// | \f$\bar u,\ \bar t\f$ | `Problem::exact` | given values, taken from an exact solution as in the paper's examples |
+/// | \f$\bar u,\ \bar t\f$ | `Problem::exact` | given values, from an exact solution |
 ///
-/// The print lets each boundary carry either displacements or tractions. Here every component of a side chooses for itself,
-/// as the symmetry planes of Section 4.2 need. The body force b, zero in the paper, is kept: a manufactured solution has one.
+/// In the print each boundary carries either displacements or tractions. Here each component of a side
+/// carries one of the two, as the symmetry planes of Section 4.2 require. The body force b, zero in the
+/// paper, is kept: a manufactured solution has one.
 namespace elastostatics {
 
-/// Which component of the third direction vanishes.
+/// The residual of equilibrium. \defeq{B3.1}
+/// \f[ \sigma_{ij,j} + b_i = 0 \tag{3.1} \f]
+/// \param stress_gradient derivatives of the three stresses, by \f$x_1\f$ in the first column and by
+///         \f$x_2\f$ in the second
+/// \param b body force [force/volume]
+inline Vector imbalance(const Eigen::Matrix<double, 3, 2>& stress_gradient, const Vector& b) {
+    const auto& s = stress_gradient;
+    return Vector(s(0, 0) + s(2, 1), s(2, 0) + s(1, 1)) + b;
+}
+
+/// The traction on a surface, below \eq{B3.2}. \defeq{B3.2}
+/// \f[ u_i = \bar u_i\ \text{on}\ \Gamma_u,
+///     \qquad t_i \equiv \sigma_{ij}\,n_j = \bar t_i\ \text{on}\ \Gamma_t \tag{3.2} \f]
+inline Vector traction(const Stress& sigma, const Vector& n) {
+    return {sigma[0] * n[0] + sigma[2] * n[1], sigma[2] * n[0] + sigma[1] * n[1]};
+}
+
+/// Hooke's law. \defeq{B3.3}
+/// \f[ \sigma = D\,\varepsilon \tag{3.3} \f]
+inline Stress stress(const Eigen::Matrix3d& D, const Strain& strain) {
+    return D * strain;
+}
+
+/// The matrix of elastic constants. \defeq{B3.4}
+/// \f[ D = \frac{E_0}{1-\nu_0^2}
+///     \begin{bmatrix} 1 & \nu_0 & 0 \\ \nu_0 & 1 & 0 \\ 0 & 0 & \frac{1-\nu_0}{2} \end{bmatrix} \tag{3.4} \f]
+inline Eigen::Matrix3d D(double E0, double nu0) {
+    return E0 / (1 - nu0 * nu0) * Eigen::Matrix3d{{1, nu0, 0}, {nu0, 1, 0}, {0, 0, (1 - nu0) / 2}};
+}
+
+/// Which components vanish in the third direction.
 enum class Plane { stress, strain };
 
 /// \throws base::InvalidInput for another name
@@ -64,83 +95,70 @@ inline Material checked(const Material& material) {
 /// The plane equivalent of Young's modulus. \defeq{B3.5}
 /// \f[ E_0 = \frac{E}{1-\nu^2},\ \nu_0 = \frac{\nu}{1-\nu}\ \text{(plane strain)}, \qquad
 ///     E_0 = E,\ \nu_0 = \nu\ \text{(plane stress)} \tag{3.5} \f]
-inline double E0(const Material& of) {
-    return of.plane == Plane::strain ? of.E / (1 - of.nu * of.nu) : of.E;
+inline double E0(const Material& material) {
+    const auto& [E, nu, plane] = material;
+    return plane == Plane::strain ? E / (1 - nu * nu) : E;
 }
 
 /// The plane equivalent of Poisson's ratio, \eq{B3.5}.
-inline double nu0(const Material& of) {
-    return of.plane == Plane::strain ? of.nu / (1 - of.nu) : of.nu;
+inline double nu0(const Material& material) {
+    const auto& [E, nu, plane] = material;
+    return plane == Plane::strain ? nu / (1 - nu) : nu;
 }
 
-/// The matrix of elastic constants. \defeq{B3.4}
-/// \f[ D = \frac{E_0}{1-\nu_0^2}\begin{bmatrix} 1 & \nu_0 & 0 \\ \nu_0 & 1 & 0 \\ 0 & 0 & \frac{1-\nu_0}{2} \end{bmatrix} \tag{3.4} \f]
-inline Eigen::Matrix3d D(const Material& of) {
-    const double nu_0 = nu0(of);
-    return E0(of) / (1 - nu_0 * nu_0) * Eigen::Matrix3d{{1, nu_0, 0}, {nu_0, 1, 0}, {0, 0, (1 - nu_0) / 2}};
+/// \eq{B3.4} of a material.
+inline Eigen::Matrix3d D(const Material& material) {
+    return D(E0(material), nu0(material));
 }
 
-/// Hooke's law. \defeq{B3.3}
-/// \f[ \sigma = D\,\varepsilon \tag{3.3} \f]
-inline Stress stress(const Material& of, const Strain& strain) {
-    return D(of) * strain;
+/// \eq{B3.3} of a material.
+inline Stress stress(const Material& material, const Strain& strain) {
+    return stress(D(material), strain);
 }
 
-/// The operator of strain, applied to a function whose gradient is g: two columns, one for each component that the function
-/// stands for. \defeq{B3.7}
-/// \f[ L = \begin{bmatrix} \partial/\partial x_1 & 0 \\ 0 & \partial/\partial x_2 \\ \partial/\partial x_2 & \partial/\partial x_1 \end{bmatrix} \tag{3.7} \f]
-inline Eigen::Matrix<double, 3, 2> L(const Vector& g) {
-    return Eigen::Matrix<double, 3, 2>{{g[0], 0}, {0, g[1]}, {g[1], g[0]}};
-}
+inline Eigen::Matrix<double, 3, 2> L(const Vector& g);
 
 /// Strains of a displacement. \defeq{B3.6}
 /// \f[ \varepsilon = L\,u \tag{3.6} \f]
 /// \param gradient \f$\partial u_i/\partial x_\alpha\f$ in row i and column α
 inline Strain strain(const Eigen::Matrix2d& gradient) {
-    const Vector g1 = gradient.row(0), g2 = gradient.row(1);
-    return L(g1).col(0) + L(g2).col(1);
+    return L(gradient.row(0)).col(0) + L(gradient.row(1)).col(1);
 }
 
-/// The traction on a surface, below \eq{B3.2}. \defeq{B3.2}
-/// \f[ u_i = \bar u_i\ \text{on}\ \Gamma_u, \qquad t_i \equiv \sigma_{ij}\,n_j = \bar t_i\ \text{on}\ \Gamma_t \tag{3.2} \f]
-inline Vector traction(const Stress& sigma, const Vector& n) {
-    return {sigma[0] * n[0] + sigma[2] * n[1], sigma[2] * n[0] + sigma[1] * n[1]};
-}
-
-/// What is out of equilibrium. \defeq{B3.1}
-/// \f[ \sigma_{ij,j} + b_i = 0 \tag{3.1} \f]
-/// \param stress_gradient derivatives of the three stresses, by \f$x_1\f$ in the first column and by \f$x_2\f$ in the second
-/// \param b body force [force/volume]
-inline Vector imbalance(const Eigen::Matrix<double, 3, 2>& stress_gradient, const Vector& b) {
-    const auto& s = stress_gradient;
-    return Vector(s(0, 0) + s(2, 1), s(2, 0) + s(1, 1)) + b;
+/// The operator of strain, applied to a function with gradient g: column i holds the strains of a
+/// displacement by this function along \f$x_i\f$. \defeq{B3.7}
+/// \f[ L = \begin{bmatrix} \partial/\partial x_1 & 0 \\ 0 & \partial/\partial x_2
+///                         \\ \partial/\partial x_2 & \partial/\partial x_1 \end{bmatrix} \tag{3.7} \f]
+inline Eigen::Matrix<double, 3, 2> L(const Vector& g) {
+    return Eigen::Matrix<double, 3, 2>{{g[0], 0}, {0, g[1]}, {g[1], g[0]}};
 }
 
 /// A function of the place.
 template <class Value>
 using FieldOf = std::function<Value(const Point<2>&)>;
 
-/// A solution that is known: it gives the boundary values, the body force, and what errors are measured against.
+/// A known solution: it gives the boundary values and the body force, and is the reference for errors.
 struct Exact {
     FieldOf<Vector> u;
     FieldOf<Stress> stress;
     FieldOf<Vector> b = [](const Point<2>&) { return Vector(Vector::Zero()); };
 };
 
-/// A part of the boundary, and which components of the displacement are given on it; of the others the traction is.
+/// A part of the boundary. Of each component, either the displacement or the traction is given on it.
 struct Side {
     particles::Curve curve;
-    std::array<bool, 2> displaced = {false, false};
+    std::array<bool, 2> displaced = {false, false};  ///< whether the displacement is given
 };
 
-/// One scalar condition at a boundary particle: a component of the displacement, or of the traction on a plane with normal n.
+/// One scalar condition at a boundary particle: a component of the displacement, or of the traction on a
+/// plane with normal n.
 struct Condition {
     bool displacement;
     Index component;
     Vector n = Vector::Zero();
 };
 
-/// The two conditions that the particle at a corner satisfies; the print lets one choose.
+/// The two conditions at a corner; the print leaves the choice open.
 struct Corner {
     Point<2> at;
     std::array<Condition, 2> conditions;
@@ -150,7 +168,7 @@ struct Corner {
 struct Problem {
     Material material;
     std::vector<Side> sides;      ///< anticlockwise
-    std::vector<Corner> corners;  ///< choices; corners without one follow conditions_at()
+    std::vector<Corner> corners;  ///< chosen conditions; see conditions_at() for other corners
     Exact exact;
     double size;  ///< a length of the body
 };
@@ -162,7 +180,7 @@ inline particles::Region region(const Problem& problem) {
     return curves;
 }
 
-/// \throws base::InvalidInput naming the first particle that lies outside
+/// \throws base::InvalidInput if a particle lies outside the body; it names the first
 inline void check_inside(const particles::Cloud<2>& cloud, const Problem& problem) {
     const particles::Region curves = region(problem);
     for (Index I = 0; I < cloud.size(); ++I)
@@ -171,8 +189,9 @@ inline void check_inside(const particles::Cloud<2>& cloud, const Problem& proble
                                      particles::shown_point(cloud.x().col(I)) + " lies outside the body");
 }
 
-/// The two conditions of a boundary particle; none inside. Where sides meet and no choice was made, a component is displaced if
-/// it is so on any of them, and else takes its traction from the side whose normal is nearer to its axis.
+/// The two conditions at a boundary particle; none inside. Where sides meet without a chosen condition, the
+/// displacement of a component is given if any of the sides gives it; otherwise its traction is that of the
+/// side whose normal is nearer to its axis.
 inline std::vector<Condition> conditions_at(const Problem& problem, const Point<2>& x) {
     for (const Corner& corner : problem.corners)
         if ((corner.at - x).norm() <= 1e-9 * problem.size)
@@ -195,7 +214,7 @@ inline std::vector<Condition> conditions_at(const Problem& problem, const Point<
     return both;
 }
 
-/// The value that a condition gives, from the exact solution.
+/// The given value of a condition, from the exact solution.
 inline double value(const Problem& problem, const Condition& condition, const Point<2>& x) {
     return condition.displacement ? problem.exact.u(x)[condition.component]
                                   : traction(problem.exact.stress(x), condition.n)[condition.component];

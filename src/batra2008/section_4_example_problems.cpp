@@ -1,10 +1,10 @@
 #include "batra2008/section_4_example_problems.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+#include "particles/triangle_rule.hpp"
 
 namespace batra2008::example_problems {
 
@@ -40,50 +40,36 @@ Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisati
     return {how, problem.material, solved(system(problem, cloud, how))};
 }
 
-State state_at(const Cloud<2>& cloud, const Solution& of, const Point<2>& x) {
+State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
     const double h = cloud.h()[cloud.nearest(x)];
-    return with_degree(of.how, [&](auto m) -> State {
-        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(of.how.scaling), x, h);
-        const auto K1 = basis.K(0);
+    return with_degree(solution.how, [&](auto m) -> State {
+        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h);
+        const Column<double> K1 = ssph_basis::K<1>(basis);
         const auto [K2, K3] =
-            mlpg::gradient(basis, of.how.method == Method::weak2 ? mlpg::Gradient::differentiated
-                                                                 : mlpg::Gradient::own_basis);
+            mlpg::gradient(basis, solution.how.method == Method::weak2 ? mlpg::Gradient::differentiated
+                                                                       : mlpg::Gradient::own_basis);
         Vector u = Vector::Zero();
         Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
         for (std::size_t j = 0; j < basis.particle().size(); ++j) {
             const auto at = static_cast<Index>(j);
-            const Vector u_J = of.u.segment<2>(2 * basis.particle()[j]);
+            const Vector u_J = solution.u.segment<2>(2 * basis.particle()[j]);
             u += K1[at] * u_J;
             gradient += u_J * Eigen::RowVector2d(K2[at], K3[at]);
         }
-        return {u, elastostatics::stress(of.material, elastostatics::strain(gradient))};
+        return {u, elastostatics::stress(solution.material, elastostatics::strain(gradient))};
     });
 }
 
 std::vector<MeshPoint> background_mesh(Index nx, Index ny, const elastostatics::FieldOf<Point<2>>& map,
                                        const elastostatics::FieldOf<double>& area) {
-    // Cowper (1973), degree 7: multiplicity 1, 3, 3 and 6; barycentric coordinates and weight of one of each.
-    struct Orbit {
-        double a, b, weight;
-    };
-    constexpr std::array<Orbit, 4> orbits{{{1.0 / 3, 1.0 / 3, -0.149570044467670},
-                                           {0.260345966079038, 0.260345966079038, 0.175615257433204},
-                                           {0.065130102902216, 0.065130102902216, 0.053347235608839},
-                                           {0.048690315425316, 0.312865496004875, 0.077113760890257}}};
-    std::vector<std::array<double, 4>> rule;
-    for (const auto& [a, b, weight] : orbits) {
-        std::array<double, 3> corner{a, b, 1 - a - b};
-        std::sort(corner.begin(), corner.end());
-        if (a == 1.0 / 3) corner = {a, a, a};
-        do rule.push_back({corner[0], corner[1], corner[2], weight});
-        while (std::next_permutation(corner.begin(), corner.end()));
-    }
+    const auto rule = particles::triangle_rule();
     std::vector<MeshPoint> mesh;
     const Vector cell(1 / static_cast<double>(nx), 1 / static_cast<double>(ny));
     for (Index i = 0; i < nx; ++i)
         for (Index j = 0; j < ny; ++j)
             for (const bool upper : {false, true})
-                for (const auto& [a, b, c, weight] : rule) {
+                for (const auto& [barycentric, weight] : rule) {
+                    const auto& [a, b, c] = barycentric;
                     const Vector within = upper ? Vector(1 - b, 1 - c) : Vector(b, c);
                     const Point<2> at =
                         (Vector(static_cast<double>(i), static_cast<double>(j)) + within).cwiseProduct(cell);

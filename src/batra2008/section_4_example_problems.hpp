@@ -10,17 +10,19 @@
 
 namespace batra2008 {
 
-/// Section 4, what both example problems share: the three methods by their names, the solution as a field, and its error.
+/// Section 4, common to both example problems: the three methods by their names, the solution as a field, and
+/// its error.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
-/// | strong, weak1, weak2 | `Method` | collocation \eq{B3.12}; weak form with \eq{B3.21}; weak form with \eq{B3.26} |
+/// | strong, weak1, weak2 | `Method` | \eq{B3.12}; \eq{B3.22} with \eq{B3.21} or \eq{B3.26} |
 /// | \f$\rho\f$ | `scaling` | scaling factor of the kernel of the SSPH basis |
 /// | \f$m\f$ | `degree` | degree of the complete monomials |
 /// | \f$E\f$ | `Errors` | relative error norm \eq{B4.4}, in two readings |
 ///
-/// The displacement of a solution is the SSPH field \f$\sum_J K_{1J}u_J\f$, not the unknowns \f$u_J\f$: the basis has no Kronecker
-/// property. At a place that is no particle the smoothing length is that of the nearest particle; the print is silent.
+/// The displacement of a solution is the SSPH field \f$\sum_J K_{1J}u_J\f$, not the unknowns \f$u_J\f$: the
+/// basis has no Kronecker property. At a place between the particles the smoothing length is that of the
+/// nearest particle; the print does not say.
 namespace example_problems {
 
 enum class Method { strong, weak1, weak2 };
@@ -45,7 +47,7 @@ struct Discretisation {
     Index gauss = 10;         ///< \f$n_G\f$
 };
 
-/// The unknowns, and the cloud and method that make them a field.
+/// The solution of a problem: the unknowns, and the method and material by which they are a field.
 struct Solution {
     Discretisation how;
     elastostatics::Material material;
@@ -56,7 +58,8 @@ struct Solution {
 /// \throws base::InvalidInput for a degree that the method cannot use
 System system(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how);
 
-/// \throws base::InvalidInput, base::FailedComputation where the problem cannot be solved so
+/// The solution by a method.
+/// \throws base::InvalidInput, base::FailedComputation if the method cannot solve the problem
 Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how);
 
 /// Displacement and stress at a place.
@@ -66,7 +69,7 @@ struct State {
 };
 
 /// The solution at any place of the body; the stress by the method's own first derivatives.
-State state_at(const Cloud<2>& cloud, const Solution& of, const Point<2>& x);
+State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x);
 
 /// A point of the background mesh with its share of the area.
 struct MeshPoint {
@@ -74,8 +77,8 @@ struct MeshPoint {
     double weight;
 };
 
-/// Gauss points of a background mesh, triangles with 13 points each: nx × ny squares of a unit square, each cut in two, and
-/// mapped onto the body. The mesh serves the error norm alone.
+/// Quadrature points of a background mesh of triangles, mapped onto the body: the unit square is divided into
+/// nx × ny rectangles and each of them into two triangles. The mesh serves the error norm alone.
 /// \param map from the unit square \param area factor by which the map enlarges areas there
 std::vector<MeshPoint> background_mesh(Index nx, Index ny, const elastostatics::FieldOf<Point<2>>& map,
                                        const elastostatics::FieldOf<double>& area);
@@ -86,23 +89,24 @@ struct Errors {
     double log_nd;  ///< norm of the difference
 };
 
-/// Relative error norm of the displacements. As printed it is a difference of norms, which may vanish by accident; the norm of the
-/// difference is given beside it. \defeq{B4.4}
-/// \f[ E = \frac{\left|\sqrt{\int_\Omega u^T u\,d\Omega} - \sqrt{\int_\Omega \bar u^T\bar u\,d\Omega}\right|}{\sqrt{\int_\Omega \bar u^T\bar u\,d\Omega}}
+/// Relative error norm of the displacements. As printed, it is a difference of norms, which may vanish by
+/// accident; the norm of the difference is given too. \defeq{B4.4}
+/// \f[ E = \frac{\left|\sqrt{\int_\Omega u^T u\,d\Omega}
+///     - \sqrt{\int_\Omega \bar u^T\bar u\,d\Omega}\right|}{\sqrt{\int_\Omega \bar u^T\bar u\,d\Omega}}
 ///     \tag{4.4} \f]
 /// \param computed \f$u\f$ \param exact \f$\bar u\f$
 inline Errors errors(const std::vector<MeshPoint>& mesh, const std::vector<Vector>& computed,
                      const elastostatics::FieldOf<Vector>& exact) {
-    double of_computed = 0, of_exact = 0, of_difference = 0;
+    double computed_squared = 0, exact_squared = 0, difference_squared = 0;
     for (std::size_t k = 0; k < mesh.size(); ++k) {
         const Vector u = exact(mesh[k].x);
-        of_computed += mesh[k].weight * computed[k].squaredNorm();
-        of_exact += mesh[k].weight * u.squaredNorm();
-        of_difference += mesh[k].weight * (computed[k] - u).squaredNorm();
+        computed_squared += mesh[k].weight * computed[k].squaredNorm();
+        exact_squared += mesh[k].weight * u.squaredNorm();
+        difference_squared += mesh[k].weight * (computed[k] - u).squaredNorm();
     }
-    const double norm = std::sqrt(of_exact);
-    return {std::log10(std::abs(std::sqrt(of_computed) - norm) / norm),
-            std::log10(std::sqrt(of_difference) / norm)};
+    const double norm = std::sqrt(exact_squared);
+    return {std::log10(std::abs(std::sqrt(computed_squared) - norm) / norm),
+            std::log10(std::sqrt(difference_squared) / norm)};
 }
 
 /// The same for a solution, evaluated in parallel.

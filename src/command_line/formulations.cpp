@@ -18,7 +18,7 @@ template <class Scalar>
 particles::Derivatives<Scalar> derivatives(const particles::Column<Scalar>& r,
                                            const particles::Column<Scalar>& W) {
     const batra2008::ssph_basis::Basis<1, 2, Scalar> basis({r, W, Scalar(0), {}}, Scalar(1));
-    return {batra2008::ssph_basis::derivative(basis, 1), batra2008::ssph_basis::derivative(basis, 2)};
+    return {batra2008::ssph_basis::derivative(basis, {1}), batra2008::ssph_basis::derivative(basis, {2})};
 }
 
 /// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15)

@@ -30,6 +30,16 @@ inline constexpr double largest_residual = 1e-12;
 std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
                                         const SparseRows& nearest);
 
+/// Number of unknowns up to which a factorisation takes less time than the iteration.
+inline constexpr Eigen::Index small_system = 4000;
+
+/// How many neighbours the preconditioner's equations need: few for a large system, whose factors must stay
+/// small.
+/// \param least number of neighbours that an equation needs at least
+inline Eigen::Index enough_neighbours(Eigen::Index unknowns, Eigen::Index least) {
+    return unknowns > 400000 ? least + 3 : 2 * least + 1;
+}
+
 /// Solves \f$A x = b\f$ after scaling the rows: by iterated() if the same equations on the nearest particles
 /// are given, and by a sparse factorisation of A if they are not or the iteration fails.
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time

@@ -1,6 +1,6 @@
 #include "tests/batra2008/bases.hpp"
 
-#include "batra2008/section_2_ssph_basis.hpp"
+#include "batra2008/basis_at.hpp"
 
 namespace support {
 
@@ -9,7 +9,7 @@ namespace {
 using namespace batra2008;
 
 template <int dim, int m>
-Bases of(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place, double h) {
+Bases bases_at(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place, double h) {
     const auto basis = ssph_basis::basis_at<m>(cloud, particles::TruncatedGaussian<dim>(rho), place, h);
     Bases all;
     all.particle = basis.particle();
@@ -18,9 +18,9 @@ Bases of(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place
     for (const auto& exponents : ssph_basis::monomials<dim, m>()) {
         const auto I = static_cast<Index>(all.exponents.size());
         all.exponents.push_back(powers(exponents));
-        all.K.col(I) = basis.K(I);
+        all.K.col(I) = basis.row(I + 1);
         all.slopes.emplace_back(count, dim);
-        for (int axis = 0; axis < dim; ++axis) all.slopes.back().col(axis) = basis.differentiated(I, axis);
+        for (int axis = 0; axis < dim; ++axis) all.slopes.back().col(axis) = basis.DK(I + 1, axis);
     }
     return all;
 }
@@ -28,9 +28,9 @@ Bases of(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place
 template <int dim>
 Bases in_space(int m, const Points<dim>& particles, double rho, const Point<dim>& place, double h) {
     const particles::Cloud<dim> cloud(particles);
-    return m == 1   ? of<dim, 1>(cloud, rho, place, h)
-           : m == 2 ? of<dim, 2>(cloud, rho, place, h)
-                    : of<dim, 3>(cloud, rho, place, h);
+    return m == 1   ? bases_at<dim, 1>(cloud, rho, place, h)
+           : m == 2 ? bases_at<dim, 2>(cloud, rho, place, h)
+                    : bases_at<dim, 3>(cloud, rho, place, h);
 }
 
 }  // namespace

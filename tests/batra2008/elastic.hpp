@@ -1,12 +1,10 @@
 #pragma once
 
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
-
+#include "base/random.hpp"
 #include "batra2008/section_4_1_plate.hpp"
 #include "tests/relative.hpp"
 
-/// What the tests of the plane problems share.
+/// Common to the tests of the plane problems.
 namespace support {
 
 using namespace batra2008;
@@ -42,10 +40,10 @@ struct PolynomialField {
     /// Derivatives of the three stresses, rows, by x1 and x2.
     [[nodiscard]] Eigen::Matrix<double, 3, 2> stress_gradient(const Point<2>& x) const {
         const auto d = second(x);
-        Eigen::Matrix<double, 3, 2> of;
-        of.col(0) = elastostatics::stress(material, Strain(d(0, 0), d(1, 2), d(0, 2) + d(1, 0)));
-        of.col(1) = elastostatics::stress(material, Strain(d(0, 2), d(1, 1), d(0, 1) + d(1, 2)));
-        return of;
+        Eigen::Matrix<double, 3, 2> gradient;
+        gradient.col(0) = elastostatics::stress(material, Strain(d(0, 0), d(1, 2), d(0, 2) + d(1, 0)));
+        gradient.col(1) = elastostatics::stress(material, Strain(d(0, 2), d(1, 1), d(0, 1) + d(1, 2)));
+        return gradient;
     }
     /// The body force that keeps it in equilibrium.
     [[nodiscard]] Vector b(const Point<2>& x) const {
@@ -64,16 +62,16 @@ inline Problem plate_with(const PolynomialField& field) {
     return problem;
 }
 
-/// A plate's grid whose inner particles move by up to so many tenths of the spacing; those of the boundary stay.
+/// A plate's grid whose inner particles are moved by up to `amplitude` spacings; those on the boundary stay.
 inline Points<2> moved_grid(Index nx, Index ny, double amplitude, unsigned long seed) {
-    const std::unique_ptr<gsl_rng, void (*)(gsl_rng*)> random(gsl_rng_alloc(gsl_rng_mt19937), gsl_rng_free);
-    gsl_rng_set(random.get(), seed);
+    base::Random random(seed);
     Points<2> x = plate::grid(nx, ny);
     const double spacing = plate::L1 / static_cast<double>(nx - 1);
     for (Index i = 1; i < nx - 1; ++i)
         for (Index j = 1; j < ny - 1; ++j)
             for (Index axis = 0; axis < 2; ++axis)
-                x(axis, i * ny + j) += gsl_ran_flat(random.get(), -amplitude, amplitude) * spacing;
+                x(axis, i * ny + j) +=
+                    random.uniform(-amplitude, amplitude) * spacing;
     return x;
 }
 

@@ -14,62 +14,65 @@ using support::Draw;
 
 namespace {
 
-/// Particles around a place, as they may come.
+/// Particles around a place.
 struct Case {
     int dim, m;
     Eigen::MatrixXd x;
     Eigen::VectorXd place;
     double rho, h;
-    double factor;  // to stretch it by
+    double factor;  // by which a test stretches it
 
     [[nodiscard]] Bases bases() const { return support::bases(m, x, rho, place, h); }
 
     [[nodiscard]] Case mirrored(Index axis) const {
-        Case of = *this;
-        of.x.row(axis) = 1 - x.row(axis).array();
-        of.place[axis] = 1 - place[axis];
-        return of;
+        Case given = *this;
+        given.x.row(axis) = 1 - x.row(axis).array();
+        given.place[axis] = 1 - place[axis];
+        return given;
     }
     [[nodiscard]] Case stretched(double a) const { return {dim, m, x * a, place * a, rho, h * a, factor}; }
 };
 
-/// A grid in the unit cube whose particles are moved, seen from one of them or from any place.
-Case drawn(std::uint64_t seed) {
+/// A random case: a grid in the unit cube whose particles are moved, seen from one of them or from another
+/// place.
+Case random_case(std::uint64_t seed) {
     Draw draw(seed);
-    Case of;
-    of.dim = draw.one_of({1, 2, 3});
-    of.m = draw.one_of({1, 2, 3});
-    const Index across = draw.between(Index{of.m + 4}, Index{of.dim == 1 ? 40 : of.dim == 2 ? 12 : 8});
+    Case given;
+    given.dim = draw.one_of({1, 2, 3});
+    given.m = draw.one_of({1, 2, 3});
+    const Index across = draw.between(Index{given.m + 4}, Index{given.dim == 1   ? 40
+                                                                : given.dim == 2 ? 12
+                                                                                 : 8});
     const double spacing = 1 / static_cast<double>(across - 1), amplitude = draw.between(0.0, 0.35);
-    const auto N = static_cast<Index>(std::lround(std::pow(static_cast<double>(across), of.dim)));
-    of.x.resize(of.dim, N);
+    const auto N = static_cast<Index>(std::lround(std::pow(static_cast<double>(across), given.dim)));
+    given.x.resize(given.dim, N);
     for (Index j = 0; j < N; ++j)
-        for (Index axis = 0, rest = j; axis < of.dim; ++axis, rest /= across)
-            of.x(axis, j) =
+        for (Index axis = 0, rest = j; axis < given.dim; ++axis, rest /= across)
+            given.x(axis, j) =
                 spacing * (static_cast<double>(rest % across) + draw.between(-amplitude, amplitude));
-    of.x = support::on_lattice(of.x);
-    of.place = of.x.col(draw.between(Index{0}, N - 1));
+    given.x = support::on_lattice(given.x);
+    given.place = given.x.col(draw.between(Index{0}, N - 1));
     if (draw.between(Index{0}, Index{1}) == 0)
-        for (double& coordinate : of.place) coordinate = draw.between(0.0, 1.0);
-    of.place = support::on_lattice(of.place);
-    of.h = spacing * draw.between(1.0, 1.5);
-    of.rho = draw.between(of.m + 1.5, of.m + 2.5) * spacing / of.h;
-    of.factor = draw.factor();
-    return of;
+        for (double& coordinate : given.place) coordinate = draw.between(0.0, 1.0);
+    given.place = support::on_lattice(given.place);
+    given.h = spacing * draw.between(1.0, 1.5);
+    given.rho = draw.between(given.m + 1.5, given.m + 2.5) * spacing / given.h;
+    given.factor = draw.factor();
+    return given;
 }
 
-/// Calls `check(case, its bases)` for what each seed draws.
+/// Calls `check(case, its bases)` for the random case of each seed.
 template <class Check>
 void for_each_case(const Check& check) {
     const support::Threads one(1);
     support::for_each_seed([&](std::uint64_t seed) {
-        const Case of = drawn(seed);
-        CAPTURE(of.dim);
-        CAPTURE(of.m);
-        CAPTURE(of.x.cols());
-        CAPTURE(of.rho);
-        CAPTURE(of.h);
-        check(of, of.bases());
+        const Case given = random_case(seed);
+        CAPTURE(given.dim);
+        CAPTURE(given.m);
+        CAPTURE(given.x.cols());
+        CAPTURE(given.rho);
+        CAPTURE(given.h);
+        check(given, given.bases());
     });
 }
 
@@ -85,14 +88,15 @@ int order(const support::Powers& a) {
     return a[0] + a[1] + a[2];
 }
 
-/// By how much a weight of K may err, to first order: the sums in C are of as many terms as there are particles, the terms carry
-/// the roundings of a Gaussian that is lowered, and solutions of C K = D those of Cholesky's factors. These do not feel how large
-/// the monomials are: condition and inverse are those of C with its diagonal scaled to ones.
+/// Bound on the round-off error of each weight of K, to first order: the sums in C have a term for each particle,
+/// the terms carry the rounding errors of a lowered Gaussian, and the solutions of C K = D those of the Cholesky
+/// factors. These do not depend on the size of the monomials: condition and inverse are those of C with a unit
+/// diagonal.
 /// \return a row for each particle, a column for each entry of Q
-Eigen::ArrayXXd round_off(const Case& of, const Bases& bases) {
-    const Eigen::MatrixXd s = (of.x(Eigen::all, bases.particle).colwise() - of.place) / of.h;
+Eigen::ArrayXXd round_off(const Case& given, const Bases& bases) {
+    const Eigen::MatrixXd s = (given.x(Eigen::all, bases.particle).colwise() - given.place) / given.h;
     const Eigen::ArrayXd gaussian = (-s.colwise().squaredNorm().transpose().array()).exp();
-    const double edge = std::exp(-of.rho * of.rho);
+    const double edge = std::exp(-given.rho * given.rho);
     const auto n = static_cast<Index>(bases.exponents.size());
     Eigen::MatrixXd H(s.cols(), n);
     for (Index I = 0; I < n; ++I) H.col(I) = monomial(s, bases.exponents[static_cast<std::size_t>(I)]);
@@ -100,7 +104,7 @@ Eigen::ArrayXXd round_off(const Case& of, const Bases& bases) {
     const Eigen::VectorXd unit = C.diagonal().cwiseSqrt().cwiseInverse();
     const auto lambda = solvers::symmetric_eigenvalues(unit.asDiagonal() * C * unit.asDiagonal(),
                                                        Eigen::MatrixXd::Identity(n, n));
-    const double terms = static_cast<double>(s.cols() + 10 * n) + 2 * of.rho * of.rho;
+    const double terms = static_cast<double>(s.cols() + 10 * n) + 2 * given.rho * given.rho;
     const double amplified =
         std::numeric_limits<double>::epsilon() * terms * lambda.back() / (lambda[0] * lambda[0]);
     const Eigen::ArrayXd of_particle =
@@ -108,11 +112,11 @@ Eigen::ArrayXXd round_off(const Case& of, const Bases& bases) {
     Eigen::ArrayXXd of_weight(s.cols(), n);
     for (Index I = 0; I < n; ++I)
         of_weight.col(I) =
-            of_particle * unit[I] * std::pow(of.h, -order(bases.exponents[static_cast<std::size_t>(I)]));
+            of_particle * unit[I] * std::pow(given.h, -order(bases.exponents[static_cast<std::size_t>(I)]));
     return of_weight;
 }
 
-/// K of another basis with its rows in the order of the particles of this one, which must be the same.
+/// K of another basis of the same particles, with its rows in the order of the first basis.
 Eigen::ArrayXXd in_order_of(const Bases& first, const Bases& other) {
     REQUIRE(other.particle.size() == first.particle.size());
     std::map<int, Index> row;
@@ -129,17 +133,16 @@ Eigen::ArrayXXd in_order_of(const Bases& first, const Bases& other) {
 }  // namespace
 
 TEST_CASE(
-    "properties: what round-off may make of a basis is little beside its weights, so that the tests below "
-    "can fail") {
-    for_each_case([](const Case& of, const Bases& bases) {
-        CHECK((round_off(of, bases).colwise().sum() / bases.K.abs().colwise().sum()).maxCoeff() < 1e-4);
+    "properties: the bounds on round-off are small beside the weights, so that the tests below can fail") {
+    for_each_case([](const Case& given, const Bases& bases) {
+        CHECK((round_off(given, bases).colwise().sum() / bases.K.abs().colwise().sum()).maxCoeff() < 1e-4);
     });
 }
 
 TEST_CASE("properties: K gives a monomial's own entry of Q and no other; rows for derivatives sum to zero") {
-    for_each_case([](const Case& of, const Bases& bases) {
-        const Eigen::ArrayXXd error = round_off(of, bases);
-        const Eigen::MatrixXd offset = of.x(Eigen::all, bases.particle).colwise() - of.place;
+    for_each_case([](const Case& given, const Bases& bases) {
+        const Eigen::ArrayXXd error = round_off(given, bases);
+        const Eigen::MatrixXd offset = given.x(Eigen::all, bases.particle).colwise() - given.place;
         double largest = 0;
         for (std::size_t a = 0; a < bases.exponents.size(); ++a) {
             const Eigen::ArrayXd power = monomial(offset, bases.exponents[a]);
@@ -155,10 +158,10 @@ TEST_CASE("properties: K gives a monomial's own entry of Q and no other; rows fo
 TEST_CASE(
     "properties: on mirrored particles K changes its sign with the derivatives that are odd in that "
     "direction") {
-    for_each_case([](const Case& of, const Bases& bases) {
-        const Eigen::ArrayXXd error = round_off(of, bases);
-        for (Index axis = 0; axis < of.dim; ++axis) {
-            const Bases mirrored = of.mirrored(axis).bases();
+    for_each_case([](const Case& given, const Bases& bases) {
+        const Eigen::ArrayXXd error = round_off(given, bases);
+        for (Index axis = 0; axis < given.dim; ++axis) {
+            const Bases mirrored = given.mirrored(axis).bases();
             Eigen::ArrayXXd K = in_order_of(bases, mirrored);
             for (Index I = 0; I < K.cols(); ++I)
                 if (bases.exponents[static_cast<std::size_t>(I)][static_cast<std::size_t>(axis)] % 2 == 1)
@@ -171,19 +174,19 @@ TEST_CASE(
 TEST_CASE(
     "properties: a times the length divides K by a to the order of the derivative; a power of two changes no "
     "bit") {
-    for_each_case([](const Case& of, const Bases& bases) {
+    for_each_case([](const Case& given, const Bases& bases) {
         const auto unstretched = [&](const Bases& stretched, double a) {
             Eigen::ArrayXXd K = in_order_of(bases, stretched);
             for (Index I = 0; I < K.cols(); ++I)
                 K.col(I) *= std::pow(a, order(bases.exponents[static_cast<std::size_t>(I)]));
             return K;
         };
-        const double a = of.factor;
+        const double a = given.factor;
         CAPTURE(a);
-        CHECK(((unstretched(of.stretched(a).bases(), a) - bases.K).abs() / round_off(of, bases)).maxCoeff() <=
-              2);
+        CHECK(((unstretched(given.stretched(a).bases(), a) - bases.K).abs() / round_off(given, bases))
+                  .maxCoeff() <= 2);
         for (const double two : {0x1p-30, 0.5, 0x1p20}) {
-            const Bases stretched = of.stretched(two).bases();
+            const Bases stretched = given.stretched(two).bases();
             CHECK((unstretched(stretched, two) == bases.K).all());
             CHECK((stretched.slopes[0] * two == bases.slopes[0]).all());
         }

@@ -46,16 +46,17 @@ TEST_CASE("(4.1): the left edge is displaced, the others loaded; bottom and top 
 TEST_CASE(
     "(4.2), (4.3): the stresses follow from the displacements by Hooke's law, in plane stress and strain") {
     for (const auto plane : {elastostatics::Plane::stress, elastostatics::Plane::strain}) {
-        const elastostatics::Material of{plate::E, plate::nu, plane};
+        const elastostatics::Material in_plane{plate::E, plate::nu, plane};
         for (const Point<2>& x : places) {
             const double step = 1e-5;
             Eigen::Matrix2d gradient;
             for (Index axis = 0; axis < 2; ++axis) {
                 const Point<2> aside = step * Point<2>::Unit(axis);
                 gradient.col(axis) =
-                    (plate::displacement(of, x + aside) - plate::displacement(of, x - aside)) / (2 * step);
+                    (plate::displacement(in_plane, x + aside) - plate::displacement(in_plane, x - aside)) /
+                    (2 * step);
             }
-            const Stress found = elastostatics::stress(of, elastostatics::strain(gradient));
+            const Stress found = elastostatics::stress(in_plane, elastostatics::strain(gradient));
             CHECK((found - plate::stress(x)).norm() < 1e-6 * plate::stress(x).norm());
         }
     }

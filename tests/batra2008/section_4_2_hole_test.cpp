@@ -44,17 +44,17 @@ TEST_CASE("(4.7): the stresses are in equilibrium") {
 
 TEST_CASE("(4.8): the displacements give the stresses (4.7) by Hooke's law, in plane strain and stress") {
     for (const auto plane : {elastostatics::Plane::stress, elastostatics::Plane::strain}) {
-        const elastostatics::Material of{hole::E, hole::nu, plane};
+        const elastostatics::Material of_plane{hole::E, hole::nu, plane};
         for (const Point<2>& x : places) {
             const double step = 1e-6;
             Eigen::Matrix2d gradient;
             for (Index axis = 0; axis < 2; ++axis) {
                 const Point<2> aside = step * Point<2>::Unit(axis);
-                gradient.col(axis) =
-                    (hole::displacement(of, shape, x + aside) - hole::displacement(of, shape, x - aside)) /
-                    (2 * step);
+                gradient.col(axis) = (hole::displacement(of_plane, shape, x + aside) -
+                                      hole::displacement(of_plane, shape, x - aside)) /
+                                     (2 * step);
             }
-            const Stress found = elastostatics::stress(of, elastostatics::strain(gradient));
+            const Stress found = elastostatics::stress(of_plane, elastostatics::strain(gradient));
             CHECK((found - hole::stress(shape, x)).norm() < 1e-6 * hole::sigma_0);
         }
     }
@@ -85,36 +85,6 @@ TEST_CASE("(4.10): along the x2-axis it is (4.7) and (4.8), with a concentration
         CHECK(concentration == support::relative(hole::stress(shape, {0, r})[0] / hole::sigma_0, 1e-12));
     }
     CHECK(hole::along_x2_axis(material, shape, 0.3)[1] == support::relative(3, 1e-14));
-}
-
-TEST_CASE("hole: each particle that is added is the place farthest from all before it") {
-    const auto candidates = hole::detail::random_places(shape, 2000, 3);
-    std::vector<Point<2>> x = hole::detail::boundary_layout(shape, 4);
-    const std::size_t given = x.size();
-    hole::detail::add_farthest(x, candidates, 150);
-    REQUIRE(x.size() == 150);
-    for (std::size_t n = given; n < x.size(); ++n) {
-        const auto away = [&](const Point<2>& place) {
-            double least = HUGE_VAL;
-            for (std::size_t j = 0; j < n; ++j) least = std::min(least, (place - x[j]).squaredNorm());
-            return least;
-        };
-        double farthest = 0;
-        for (const Point<2>& place : candidates) farthest = std::max(farthest, away(place));
-        CHECK(away(x[n]) == farthest);
-    }
-}
-
-TEST_CASE("hole: particles move to the centres of the places nearest to them, those on the boundary stay") {
-    const std::vector<Point<2>> near_both{{0.1, 0}, {0.3, 0.2}, {1, 0.8}, {1.2, 1}, {1.1, 0.9}};
-    std::vector<Point<2>> x{{0, 0}, {1, 1}, {9, 9}}, fixed = x;
-    hole::detail::move_to_centres(x, near_both, 0);
-    CHECK((x[0] - Point<2>(0.2, 0.1)).norm() < 1e-15);
-    CHECK((x[1] - Point<2>(1.1, 0.9)).norm() < 1e-15);
-    CHECK(x[2] == Point<2>(9, 9));  // nearest to no place
-    hole::detail::move_to_centres(fixed, near_both, 1);
-    CHECK(fixed[0] == Point<2>(0, 0));
-    CHECK((fixed[1] - Point<2>(1.1, 0.9)).norm() < 1e-15);
 }
 
 TEST_CASE("hole: the layouts have the print's numbers of particles, lie in the body, and follow their draw") {

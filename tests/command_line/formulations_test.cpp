@@ -3,7 +3,7 @@
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "base/quad.hpp"
-#include "batra2008/section_2_ssph_basis.hpp"
+#include "batra2008/basis_at.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/support.hpp"
 
@@ -69,7 +69,7 @@ TEST_CASE("formulations: ssph weighs with (3.15) of batra2008 for a scaling fact
     for (const Index i : {Index(0), Index(30)}) {
         const auto basis = batra2008::ssph_basis::basis_at<2>(
             cloud, particles::TruncatedGaussian<1>(4), particles::Point<1>(line.x()[i]), smoothing.h());
-        const Column<double> K2 = basis.K(1), K3 = basis.K(2);
+        const Column<double> K2 = batra2008::ssph_basis::K<2>(basis), K3 = batra2008::ssph_basis::K<3>(basis);
         for (std::size_t k = 0; k < basis.particle().size(); ++k) {
             const Index j = basis.particle()[k];
             if (j == i) continue;

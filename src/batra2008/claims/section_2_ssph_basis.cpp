@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "batra2008/basis_at.hpp"
 #include "batra2008/claims/ledger.hpp"
 #include "batra2008/claims/measures.hpp"
 #include "report/statistics.hpp"
@@ -21,7 +22,7 @@ double asymmetry() {
     const auto near =
         particles::surroundings(cloud, particles::TruncatedGaussian<2>(3), Point<2>(0.1, 0), 0.3);
     const auto H = ssph_basis::H<2, 2, double>(near.s);
-    const auto C = ssph_basis::summed<6>(H, near.W);
+    const auto C = ssph_basis::summed(H, near.W);
     return (C - C.transpose()).cwiseAbs().maxCoeff() / C.cwiseAbs().maxCoeff();
 }
 
@@ -37,7 +38,8 @@ double error_with_constant_kernel() {
     const std::array<double, 6> exact{f({0.1, 0}), 2.6, -0.9, 6, -4, 1};
     double most = 0;
     for (Index I = 0; I < 6; ++I) {
-        const Column<double> weights = ssph_basis::derivative(basis, I);
+        const Column<double> weights =
+            ssph_basis::derivative(basis, ssph_basis::monomials<2, 2>()[static_cast<std::size_t>(I)]);
         double sum = 0;
         for (std::size_t j = 0; j < basis.particle().size(); ++j)
             sum += weights[static_cast<Index>(j)] * f(cloud.x().col(basis.particle()[j]));
@@ -60,7 +62,8 @@ double order_of_error(Index I) {
     const particles::TruncatedGaussian<dim> kernel(3);
     const Point<dim> place = Point<dim>::Constant(0.05);
     const auto basis = ssph_basis::basis_at<2>(cloud, kernel, place, dim == 1 ? 0.25 : dim == 2 ? 0.3 : 0.33);
-    const Column<double> weights = ssph_basis::derivative(basis, I);
+    const Column<double> weights =
+        ssph_basis::derivative(basis, ssph_basis::monomials<dim, 2>()[static_cast<std::size_t>(I)]);
     const Point<dim> k = Point<dim>::LinSpaced(dim, 1, 0.6);
     const int power = I == f ? 0 : I == first ? 1 : 2;
     const double exact = std::pow(k[0], power);
@@ -94,7 +97,7 @@ double reciprocal_condition_of_ring(double wobble) {
     }
     const Column<double> W = particles::TruncatedGaussian<2>(4).W(s.square().rowwise().sum().eval());
     return reciprocal_condition<Eigen::Matrix<double, 6, 6>>(
-        ssph_basis::summed<6>(ssph_basis::H<2, 2, double>(s), W));
+        ssph_basis::summed(ssph_basis::H<2, 2, double>(s), W));
 }
 
 /// Reciprocal condition of the one-dimensional C for so many different particles.
@@ -102,7 +105,7 @@ double reciprocal_condition_on_line(Index count) {
     const Eigen::Array<double, Eigen::Dynamic, 1> s =
         Eigen::Array<double, Eigen::Dynamic, 1>::LinSpaced(count, -0.7, 1.1);
     const Column<double> W = particles::TruncatedGaussian<1>(4).W(s.square().eval());
-    return reciprocal_condition<Eigen::Matrix3d>(ssph_basis::summed<3>(ssph_basis::H<1, 2, double>(s), W));
+    return reciprocal_condition<Eigen::Matrix3d>(ssph_basis::summed(ssph_basis::H<1, 2, double>(s), W));
 }
 
 }  // namespace

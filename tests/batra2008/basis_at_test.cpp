@@ -1,0 +1,105 @@
+#include "batra2008/basis_at.hpp"
+
+#include "tests/batra2008/bases.hpp"
+#include "tests/relative.hpp"
+
+using namespace batra2008;
+using particles::Cloud;
+using particles::TruncatedGaussian;
+
+namespace {
+
+/// The message of the refusal, or nothing.
+template <class Work>
+std::string refusal(const Work& work) {
+    try {
+        work();
+    } catch (const base::FailedComputation& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("basis_at: too few particles are refused with place and numbers, and the remedy works") {
+    const Points<2> grid = support::grid_points<2>(5);
+    const Point<2> at_side(0, 0.5);
+    CHECK(refusal([&] { support::bases(2, grid, 1.2, at_side, 0.25); }) ==
+          "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; "
+          "try "
+          "--scaling 2.1");  // six particles in two columns, within 1.5h, do not suffice
+    CHECK_NOTHROW(support::bases(2, grid, 2.1, at_side, 0.25));
+    int refused = 0;
+    support::for_each_dimension_and_degree([&](int dim, int m) {
+        const support::Irregular irregular(dim);
+        for (const Eigen::VectorXd& x : irregular.places())
+            for (const double rho : {0.3, 0.8, 1.2, 1.6}) {
+                const std::string why = refusal([&] { support::bases(m, irregular.x, rho, x, irregular.h); });
+                if (why.empty()) continue;
+                CAPTURE(why);
+                ++refused;
+                const std::size_t remedy = why.find("; try --scaling ");
+                REQUIRE(remedy != std::string::npos);
+                const double scaling = std::stod(why.substr(remedy + 16));
+                CHECK(scaling > rho);
+                CHECK_NOTHROW(support::bases(m, irregular.x, scaling, x, irregular.h));
+            }
+    });
+    CHECK(refused > 100);
+}
+
+TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {
+    CHECK_THROWS_WITH_AS(
+        support::bases(2, support::random_points<2>(5, 1), 1000, Point<2>(0.5, 0.25), 0.1),
+        "ssph_basis: at (0.5, 0.25) there are 5 particles within 1000h = 100 for the 6 monomials "
+        "of degree 2; take at least 6 particles",
+        base::FailedComputation);
+}
+
+TEST_CASE(
+    "basis_at: particles on a conic do not determine the monomials; no scaling factor helps, another "
+    "particle does") {
+    const Points<2> on_circle = support::circle(12, 1, {0, 0});
+    const Point<2> x(0.2, 0);
+    const std::string why = refusal([&] { support::bases(2, on_circle, 4, x, 0.5); });
+    CHECK(
+        why.starts_with("ssph_basis: at (0.2, 0) there are 12 particles within 4h = 2 for the 6 monomials of "
+                        "degree 2, which they do not determine: the local system is singular (reciprocal "
+                        "condition "));
+    CHECK(why.ends_with("); take other particles"));
+    CHECK_NOTHROW(support::bases(1, on_circle, 4, x, 0.5));
+    Points<2> with_another(2, 13);
+    with_another << on_circle, Point<2>(0.1, 0.1);
+    CHECK_NOTHROW(support::bases(2, with_another, 4, x, 0.5));
+}
+
+TEST_CASE(
+    "basis_at: collinear and coplanar particles, and those of two rows, do not determine the monomials") {
+    const auto undetermined = [](int m, const Eigen::MatrixXd& x, double rho, const Eigen::VectorXd& at,
+                                 double h) {
+        const std::string why = refusal([&] { support::bases(m, x, rho, at, h); });
+        CAPTURE(why);
+        CHECK(why.find(", which they do not determine: ") != std::string::npos);
+    };
+    Points<2> line = Points<2>::Zero(2, 20);
+    line.row(0) = Eigen::RowVectorXd::LinSpaced(20, 0, 1);
+    undetermined(1, line, 4, Point<2>(0.5, 0), 0.05);
+    Points<3> plane = Points<3>::Zero(3, 100);
+    plane.topRows(2) = support::random_points<2>(100, 2);
+    undetermined(1, plane, 4, Point<3>(0.5, 0.5, 0), 0.1);
+    // On a grid a particle at a distance of ρh has no weight: ρ = 2 leaves a place at the side two rows of
+    // three.
+    const Points<2> grid = support::grid_points<2>(5);
+    undetermined(2, grid, 2, Point<2>(0, 0.5), 0.25);
+    CHECK_NOTHROW(support::bases(2, grid, 2.5, Point<2>(0, 0.5), 0.25));
+}
+
+TEST_CASE("basis_at: in one dimension m + 1 particles are needed and suffice") {
+    const Points<1> x{{0.1, 0.4, 0.9, 1.1}};
+    for (const int m : {1, 2, 3}) {
+        CHECK_NOTHROW(support::bases(m, x.leftCols(m + 1), 3, Point<1>(0.5), 0.3));
+        if (m > 1)
+            CHECK_THROWS_AS(support::bases(m, x.leftCols(m), 3, Point<1>(0.5), 0.3), base::FailedComputation);
+    }
+}
