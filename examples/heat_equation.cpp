@@ -1,9 +1,12 @@
-/// Heat in a rod of variable conductivity, marched with the second-order FPM of Asprone et al. (2010), Section 4:
+/// Heat in a rod of variable conductivity, marched with the second-order FPM of Asprone et al. (2010),
+/// Section 4:
 ///
 ///     u_t = (k u')' + f  on [0, 1],  k = 1 + x²,  u given at both ends.
 ///
-/// The operators D and D² stand for the derivatives, (k u')' = k u'' + k' u'; Crank and Nicolson's rule takes steps of the
-/// particles' spacing. Source and end values are those of u = e^-t sin 2x, with which the result is compared.
+/// The operators D and D² stand for the derivatives, (k u')' = k u'' + k' u'; Crank and Nicolson's rule takes
+/// steps of the particles' spacing. Source and end values are those of u = e^-t sin 2x, with which the result
+/// is compared.
+///
 /// Build: make. The exit code is 0 if the error falls with the second power of the spacing.
 #include <cmath>
 #include <cstdio>

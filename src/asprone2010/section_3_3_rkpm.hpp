@@ -164,8 +164,8 @@ Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
     return -DK * V;
 }
 
-/// \eq{A25} for a whole line of particles, with the moments imposed on integrals as in the print. It serves to
-/// measure the effect of our choice, the sums.
+/// \eq{A25} for a whole line of particles, with the moments imposed on integrals as in the print. It serves
+/// to measure the effect of our choice, the sums.
 /// \tparam p the exponents of \f$C_i\f$
 /// \return D [1/length]
 template <int... p>

@@ -21,8 +21,8 @@ namespace asprone2010 {
 /// numbers of particles are taken, and how often a perturbed line is drawn. Here both ends carry a particle,
 /// since boundary conditions are imposed there. Volumes follow a named convention, by default δ for every
 /// particle: \eq{A3} fits cells that tile Ω, but the overlap of two spectra in Figure 3 and footnote 1 are
-/// reproduced better with δ (\claim{A-5.3-original-overlaps}, \claim{A-5.2-few-original}). h stays δ when particles
-/// are perturbed.
+/// reproduced better with δ (\claim{A-5.3-original-overlaps}, \claim{A-5.2-few-original}). h stays δ when
+/// particles are perturbed.
 namespace numerical_tests {
 
 /// How a line of N particles is made, and its smoothing length.

@@ -413,8 +413,8 @@ Vector<Scalar> Basis<dim, m, Scalar>::T(Index I, int axis) {
 
 /// The exact derivative of a row of K with respect to the place; h is constant. From \f$C\,K = D\f$ follows
 /// \f$\partial K = C^{-1}(\partial D - \partial C\,K)\f$: \eq{B3.25} for all of Q, \eq{B2.16} for the values
-/// alone. H changes by T H: in D and in the left factor of C this change is the same and cancels; in the right
-/// factor it leaves a column of T.
+/// alone. H changes by T H: in D and in the left factor of C this change is the same and cancels; in the
+/// right factor it leaves a column of T.
 /// \param I entry of Q, from 1 to n \param axis coordinate, from 0
 /// \return weights [1/length to the order of the derivative + 1]
 template <int dim, int m, class Scalar>

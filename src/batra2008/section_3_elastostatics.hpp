@@ -22,7 +22,8 @@ using Stress = Eigen::Vector3d;
 /// Strains \f$[\varepsilon_{11}, \varepsilon_{22}, 2\varepsilon_{12}]\f$.
 using Strain = Eigen::Vector3d;
 
-/// Section 3, plane elastostatics, common to the three methods: equilibrium, boundary conditions, Hooke's law.
+/// Section 3, plane elastostatics, common to the three methods: equilibrium, boundary conditions, Hooke's
+/// law.
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |

@@ -20,10 +20,11 @@ namespace batra2008 {
 /// | \f$\sigma_0\f$ | `sigma_0` | tension, 1 GPa |
 /// | \f$(r, \theta)\f$ | `r`, `theta` | polar coordinates around the hole's centre |
 ///
-/// \eq{B4.7} and \eq{B4.8} are damaged in the available text; here is Kirsch's solution, which the tests prove:
-/// equilibrium, Hooke's law, no traction at the hole. The positions of the particles are lost with the print's
-/// figures; graded_layout() and polar_layout() take their place. At a corner, the displacement of a component is
-/// given if one of its sides gives it; otherwise the traction of the side that faces that component is given.
+/// \eq{B4.7} and \eq{B4.8} are damaged in the available text; here is Kirsch's solution, which the tests
+/// prove: equilibrium, Hooke's law, no traction at the hole. The positions of the particles are lost with the
+/// print's figures; graded_layout() and polar_layout() take their place. At a corner, the displacement of a
+/// component is given if one of its sides gives it; otherwise the traction of the side that faces that
+/// component is given.
 ///
 /// \image html batra2008_figure_14.svg "Boundaries and 188 particles."
 /// \image html batra2008_figure_15.svg "The exact displacements, and the deviations of the three methods."

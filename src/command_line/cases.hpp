@@ -72,9 +72,10 @@ asprone2010::numerical_tests::Particles<Scalar> line_of(const Options& options, 
     return asprone2010::numerical_tests::discretise<Scalar>(how, x);
 }
 
-/// Computes the numbers of every case in parallel, with progress on a terminal, and adds a row for each to the table, behind the
-/// columns formulation, particles, spacing, perturbation and seed. With --median, the seeds of a case become one row: medians,
-/// the number of seeds, then lower and upper quartile of each number.
+/// Computes the numbers of every case in parallel, with progress on a terminal, and adds a row for each to
+/// the table, behind the columns formulation, particles, spacing, perturbation and seed. With --median, the
+/// seeds of a case become one row: medians, the number of seeds, then lower and upper quartile of each
+/// number.
 /// \param compute the numbers of a case, one for each column of the table; an empty cell stays empty
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);

@@ -54,7 +54,8 @@ CommandLine::Option& CommandLine::Option::required() {
 
 namespace {
 
-/// Refuses a whole number with a zero before its digits, which CLI11 would read as octal, hexadecimal or binary.
+/// Refuses a whole number with a zero before its digits, which CLI11 would read as octal, hexadecimal or
+/// binary.
 std::string in_decimal(const std::string& text) {
     const std::size_t first = text.find_first_not_of("+-");
     if (first == std::string::npos || text[first] != '0' || first + 1 == text.size()) return {};

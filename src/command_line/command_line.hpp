@@ -13,8 +13,8 @@ class Option;
 
 namespace command_line {
 
-/// The options of a program and its `--help`: a thin face over CLI11, which only command_line.cpp includes because it takes six
-/// seconds to compile.
+/// The options of a program and its `--help`: a thin face over CLI11, which only command_line.cpp includes
+/// because it takes six seconds to compile.
 class CommandLine {
   public:
     /// \param about what the program does \param name of the program \param examples last lines of `--help`
@@ -39,12 +39,13 @@ class CommandLine {
     };
 
     /// \param name with dashes; without them, an argument that is known by its place
-    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of strings separated by
-    ///        blanks; unchanged where the option is not given
+    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of
+    ///        strings separated by blanks; unchanged where the option is not given
     template <class Value>
     Option add_option(const std::string& name, Value& value, const std::string& about);
 
-    /// One option with a list: names separated by commas, or numbers as numbers() and whole_numbers() read them.
+    /// One option with a list: names separated by commas, or numbers as numbers() and whole_numbers() read
+    /// them.
     Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& about);
     Option add_list(const std::string& name, std::vector<double>& values, const std::string& about);
     Option add_list(const std::string& name, std::vector<long>& values, const std::string& about);
@@ -68,7 +69,8 @@ class CommandLine {
     std::unique_ptr<CLI::App> app_;
 };
 
-/// The body of any main: reads the options, then runs `body`. An error is one line on standard error, whatever an option holds.
+/// The body of any main: reads the options, then runs `body`. An error is one line on standard error,
+/// whatever an option holds.
 /// \return what `body` returns; 2 for a bad invocation; 1 for a failed computation
 int run(CommandLine& app, int argc, char** argv, const std::function<int()>& body);
 

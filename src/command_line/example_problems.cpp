@@ -52,7 +52,8 @@ example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
     return solution;
 }
 
-/// Adds a row for each place: the cells that name the case, then displacements and stresses, computed and exact.
+/// Adds a row for each place: the cells that name the case, then displacements and stresses, computed and
+/// exact.
 void add_states(report::Table& table, const std::vector<Cell>& named, const Solved& solved,
                 const std::vector<Point<2>>& places) {
     const Problem& problem = solved.problem;
@@ -110,7 +111,8 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
 }
 
 void check_cloud(double particles, double neighbours) {
-    // Two rows per particle, with two entries for each neighbour. Stored by rows, by columns, and in the factors.
+    // Two rows per particle, with two entries for each neighbour. Stored by rows, by columns, and in the
+    // factors.
     const double entries = 4 * particles * std::min(neighbours, particles);
     base::require_memory_of_entries(base::shown(particles, 12) + " particles", entries,
                                     3 * entries * (sizeof(double) + sizeof(int)),

@@ -29,7 +29,8 @@ struct ExampleOptions {
 /// \param places what `--states` takes beside particles and a grid
 void add_options(CommandLine& app, ExampleOptions& options, const std::string& places);
 
-/// Refuses particles whose matrices, and places whose rows, do not fit into memory. \throws base::InvalidInput
+/// Refuses particles whose matrices, and places whose rows, do not fit into memory. \throws
+/// base::InvalidInput
 /// \param neighbours least number of a particle's neighbours within the support of the basis
 void check_cloud(double particles, double neighbours);
 void check_states(double places);
@@ -59,17 +60,19 @@ std::vector<report::ColumnHead> case_columns();
 std::vector<report::Cell> case_cells(const ExampleCase& one);
 
 /// Columns of displacements and stresses, computed and exact.
-/// Stresses are reproducible to 10 Pa; where a material is nearly incompressible, to the stress of a strain of 1e-12.
+/// Stresses are reproducible to 10 Pa; where a material is nearly incompressible, to the stress of a strain
+/// of 1e-12.
 std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& cases);
 
 /// The places that a set of positions holds.
 std::vector<batra2008::Point<2>> places_at(const batra2008::Points<2>& x);
 
-/// `--field`: displacements and stresses at the particles, computed and exact. The file's name decides the format: .vtk for ParaView
-/// (legacy format), else CSV. It is written once all solutions are known.
+/// `--field`: displacements and stresses at the particles, computed and exact. The file's name decides the
+/// format: .vtk for ParaView (legacy format), else CSV. It is written once all solutions are known.
 class FieldFile {
   public:
-    /// \param cases what will be added \throws base::FailedComputation for a file that could not be written in the end
+    /// \param cases what will be added \throws base::FailedComputation for a file that could not be written
+    ///         in the end
     FieldFile(std::string path, const std::vector<ExampleCase>& cases);
     /// \throws base::InvalidInput for solutions on other particles than the first
     void add(const ExampleCase& one, const Solved& solved);
@@ -82,13 +85,15 @@ class FieldFile {
     std::string vtk_;
 };
 
-/// The table of an example problem: for each solution one row of errors, or with `--states` one row for each place.
+/// The table of an example problem: for each solution one row of errors, or with `--states` one row for each
+/// place.
 class ExampleTable {
   public:
     using Places = std::function<std::vector<batra2008::Point<2>>(const batra2008::Cloud<2>&)>;
     using Errors = std::function<std::vector<report::Cell>(const Solved&)>;
 
-    /// \param about first comment of the table \param layout columns that name the particles \param errors columns of the errors
+    /// \param about first comment of the table \param layout columns that name the particles \param errors
+    ///         columns of the errors
     ExampleTable(const ExampleOptions& options, const std::vector<ExampleCase>& cases,
                  const std::string& about, const std::vector<report::ColumnHead>& layout,
                  const std::vector<report::ColumnHead>& errors);

@@ -8,8 +8,8 @@
 
 namespace command_line {
 
-/// The formulations of asprone2010 and, as an eighth, the SSPH basis of batra2008 in one dimension, "ssph": what the three
-/// numerical tests can compare.
+/// The formulations of asprone2010 and, as an eighth, the SSPH basis of batra2008 in one dimension, "ssph":
+/// what the three numerical tests can compare.
 /// \tparam Scalar double, long double or base::Quad
 template <class Scalar = double>
 const std::vector<asprone2010::Formulation<Scalar>>& formulations();

@@ -9,12 +9,14 @@ namespace command_line {
 /// The names of a list such as strong,weak1.
 std::vector<std::string> names(const std::string& list);
 
-/// The numbers of a list such as 3,3.5,4 or 2:0.1:4, a range from:step:to whose ends belong to it. Parts may be mixed.
+/// The numbers of a list such as 3,3.5,4 or 2:0.1:4, a range from:step:to whose ends belong to it. Parts may
+/// be mixed.
 /// \param option the option that the list belongs to, for the message
 /// \throws base::InvalidInput showing the part that is neither a number nor a range of at most 10000 steps
 std::vector<double> numbers(const std::string& option, const std::string& list);
 
-/// The same for whole numbers up to 10¹⁵. \throws base::InvalidInput also for a number that begins with 0, as in 010
+/// The same for whole numbers up to 10¹⁵. \throws base::InvalidInput also for a number that begins with 0, as
+/// in 010
 std::vector<long> whole_numbers(const std::string& option, const std::string& list);
 
 /// The pair of whole numbers of a text such as 16x4. \throws base::InvalidInput showing the text

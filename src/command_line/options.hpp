@@ -29,8 +29,8 @@ auto in_precision(const std::string& name, const Work& work) {
 void check_apart(const std::vector<std::pair<std::string, std::string>>& files);
 
 /// The body of main for a table: options are read, the table is computed, drawn and written.
-/// \param threads how many, 0 for all \param output the file to write \param figure what to draw of the table; all three have
-///        their values once the options are read
+/// \param threads how many, 0 for all \param output the file to write \param figure what to draw of the
+///        table; all three have their values once the options are read
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error
 int run(CommandLine& app, int argc, char** argv, const int& threads, const std::string& output,
         const Figure& figure, const std::function<report::Table()>& compute);

@@ -24,7 +24,8 @@ std::string source_folder();
 /// \throws base::FailedComputation where gnuplot, the script or the folder of the file is missing
 void check_plot(const Figure& figure, const std::string& folder = source_folder());
 
-/// Draws a table into the figure's file, which is replaced as a whole: gnuplot -e "table='…'; output='…'" script.
+/// Draws a table into the figure's file, which is replaced as a whole: gnuplot -e "table='…'; output='…'"
+/// script.
 /// \throws base::FailedComputation with gnuplot's complaint; then no file is written
 void plot(const Figure& figure, const report::Table& table);
 

@@ -39,7 +39,8 @@ class Progress {
     bool watched_;
 };
 
-/// What `compute` returns for each case, in the order of the cases. They are computed in parallel, with progress on the terminal.
+/// What `compute` returns for each case, in the order of the cases. They are computed in parallel, with
+/// progress on the terminal.
 template <class Case, class Compute>
 auto computed_in_parallel(const std::vector<Case>& cases, const Compute& compute) {
     std::vector<std::invoke_result_t<Compute, const Case&>> results(cases.size());

@@ -33,7 +33,8 @@ Table verdicts(const std::string& folder, const std::string& file) {
     return report::judged(claims, paper, computations_of(paper), [&] { progress.step(); });
 }
 
-/// A line for each table of verdicts; of several tables, each line names the paper, whose folder holds the table.
+/// A line for each table of verdicts; of several tables, each line names the paper, whose folder holds the
+/// table.
 std::string counts(const std::vector<std::string>& files) {
     std::string lines;
     for (const std::string& file : files) {

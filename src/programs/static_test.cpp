@@ -48,7 +48,8 @@ report::Table table_of(const Options& options) {
     if (!corrected)
         table.comments.push_back("corrections of the solution: at most " +
                                  std::to_string(options.corrections));
-    // On long lines the error of an uncorrected solution is round-off, of which only the size is reproducible.
+    // On long lines the error of an uncorrected solution is round-off, of which only the size is
+    // reproducible.
     table.columns = {{"error_displacement", {corrected ? 1e-6 : 0.9, 5e-10}}};
     command_line::in_precision(options.precision, [&](auto zero) {
         const auto exact = exact_displacement<decltype(zero)>(options.displacement);

@@ -48,7 +48,8 @@ void check(const Options& options) {
     }
 }
 
-/// A row of the table: the case, the mode, its frequency beside the exact one, and what the last column holds.
+/// A row of the table: the case, the mode, its frequency beside the exact one, and what the last column
+/// holds.
 std::vector<Cell> row(const Options& options, const Case& one, Index n, const std::complex<double>& frequency,
                       const Cell& last) {
     const auto [perturbation, seed] = command_line::perturbation_and_seed(options, one);

@@ -70,8 +70,8 @@ std::string number(const std::string& equation) {
     return equation.substr(1);
 }
 
-/// The anchor of an equation ("index"), of a claim ("claim") or of a section's claims ("claims"). Doxygen's anchors have no
-/// dots.
+/// The anchor of an equation ("index"), of a claim ("claim") or of a section's claims ("claims"). Doxygen's
+/// anchors have no dots.
 std::string anchor(const std::string& kind, const std::string& key) {
     return kind + "_" + replaced(key, ".", "_");
 }
@@ -91,7 +91,8 @@ std::string linked(const std::string& text, const Table& equations) {
     return with_links;
 }
 
-/// A section's page, its namespace, by its file: asprone2010/section_3_1_original.hpp -> asprone2010::original.
+/// A section's page, its namespace, by its file: asprone2010/section_3_1_original.hpp ->
+/// asprone2010::original.
 std::string section_page(const std::string& code) {
     static const std::regex shape(R"re((\w+)/section_[0-9_]+(\w+)\.hpp)re");
     std::smatch found;

@@ -10,14 +10,15 @@ namespace report {
 /// \throws base::FailedComputation naming the file and the system's reason
 void check_writable(const std::string& path);
 
-/// Writes a text to a file as a whole: to a temporary file beside it, which is renamed when it is complete. Until then an existing
-/// file stays as it is. Devices, pipes and open files (/dev/fd/3) are appended to instead.
+/// Writes a text to a file as a whole: to a temporary file beside it, which is renamed when it is complete.
+/// Until then an existing file stays as it is. Devices, pipes and open files (/dev/fd/3) are appended to
+/// instead.
 /// \param path as above; of a link to an existing file, that file is replaced
 /// \throws base::FailedComputation naming the file and the system's reason
 void write_whole(const std::string& path, const std::string& text);
 
-/// \throws base::FailedComputation naming the file and the system's reason, or a text that is too long: more than a
-///         megabyte from a device (/dev/zero has no end), more than a gigabyte from anything else
+/// \throws base::FailedComputation naming the file and the system's reason, or a text that is too long: more
+///         than a megabyte from a device (/dev/zero has no end), more than a gigabyte from anything else
 std::string read_whole(const std::string& path);
 
 }  // namespace report

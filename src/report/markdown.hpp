@@ -17,8 +17,8 @@ std::string head(const std::vector<std::string>& names);
 /// Text for a cell of a Markdown table in Doxygen: nothing in it counts as markup.
 std::string escaped(std::string text);
 
-/// A text with the part between its two marks replaced: the line "<!-- the KEY below is written by make claims -->", and
-/// "<!-- end of the KEY -->". \param where the text's file, for the message
+/// A text with the part between its two marks replaced: the line "<!-- the KEY below is written by make
+/// claims -->", and "<!-- end of the KEY -->". \param where the text's file, for the message
 /// \throws base::FailedComputation where a mark is missing
 std::string with_part(const std::string& text, const std::string& key, const std::string& part,
                       const std::string& where);

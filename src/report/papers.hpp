@@ -23,8 +23,8 @@ std::vector<Paper> papers(const Table& table);
 /// A paper by its folder. \throws base::InvalidInput where there is none of that name
 const Paper& paper_named(const std::string& folder, const std::vector<Paper>& papers);
 
-/// The rows of a table whose first entry is an equation's or a claim's key, by the folder of the paper that the key belongs to.
-/// Every paper has its part, if an empty one.
+/// The rows of a table whose first entry is an equation's or a claim's key, by the folder of the paper that
+/// the key belongs to. Every paper has its part, if an empty one.
 /// \throws base::FailedComputation naming a key that belongs to no paper
 std::map<std::string, Table> by_paper(const Table& table, const std::vector<Paper>& papers);
 

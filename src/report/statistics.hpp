@@ -18,7 +18,8 @@ struct Quartiles {
     double lower, median, upper;
 };
 
-/// The quantile of a sample in increasing order, between two of its numbers on the straight line between them.
+/// The quantile of a sample in increasing order, between two of its numbers on the straight line between
+/// them.
 /// \param fraction 0 for the least, 1 for the largest
 inline double quantile_of_sorted(const std::vector<double>& sample, double fraction) {
     return gsl_stats_quantile_from_sorted_data(sample.data(), 1, sample.size(), fraction);
@@ -32,7 +33,8 @@ inline Quartiles quartiles(std::vector<double> sample) {
             quantile_of_sorted(sample, 0.75)};
 }
 
-/// Observed order p of errors that fall like \f$\delta^p\f$: the slope of the line fitted to their logarithms.
+/// Observed order p of errors that fall like \f$\delta^p\f$: the slope of the line fitted to their
+/// logarithms.
 /// \param spacing distances δ, at least two
 /// \param error errors, positive, as many
 inline double observed_order(const std::vector<double>& spacing, const std::vector<double>& error) {

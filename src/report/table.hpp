@@ -7,8 +7,8 @@
 
 namespace report {
 
-/// How closely a column of numbers is reproducible on another processor or with another compiler: two values agree if they
-/// differ by no more than relative · the larger one + absolute.
+/// How closely a column of numbers is reproducible on another processor or with another compiler: two values
+/// agree if they differ by no more than relative · the larger one + absolute.
 struct Tolerance {
     double relative = 0, absolute = 0;
 };
@@ -35,21 +35,22 @@ struct Table {
     [[nodiscard]] std::size_t column(const std::string& name) const;
 };
 
-/// The table as CSV: a block of comments (#), among them the tolerances, then a row of names, then the rows. Numbers are
-/// written in the C locale.
-/// \throws base::FailedComputation for a number that is not finite or a row of another length, naming row and column
+/// The table as CSV: a block of comments (#), among them the tolerances, then a row of names, then the rows.
+/// Numbers are written in the C locale.
+/// \throws base::FailedComputation for a number that is not finite or a row of another length, naming row and
+///         column
 std::string csv(const Table& table);
 
-/// The inverse of csv(): entries that read as numbers become real numbers, empty ones stay empty. Words in quotes may hold
-/// commas and doubled quotes, not line breaks.
+/// The inverse of csv(): entries that read as numbers become real numbers, empty ones stay empty. Words in
+/// quotes may hold commas and doubled quotes, not line breaks.
 /// \throws base::FailedComputation naming the line that is no row of the table
 Table parsed(const std::string& csv);
 
 /// The same with every entry as it is written, for keys that only look like numbers: 4.10 is not 4.1.
 Table parsed_words(const std::string& csv);
 
-/// Where two tables differ in comments, names or words, or by more than the tolerances that the first one states; empty if they
-/// agree.
+/// Where two tables differ in comments, names or words, or by more than the tolerances that the first one
+/// states; empty if they agree.
 std::vector<std::string> differences(const Table& committed, const Table& regenerated);
 
 /// A number that differs between two tables.
@@ -60,7 +61,8 @@ struct Move {
     double share = 0;  ///< of the difference that the tolerance allows
 };
 
-/// Of two tables of the same columns and as many rows, the number that moved most against what its tolerance allows.
+/// Of two tables of the same columns and as many rows, the number that moved most against what its tolerance
+/// allows.
 Move largest_move(const Table& committed, const Table& regenerated);
 
 }  // namespace report

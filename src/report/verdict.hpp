@@ -44,7 +44,8 @@ struct Conventions {
 };
 
 /// The verdict on a claim, from measurements under the one convention and under the other.
-/// The first measurement of each is of the claim as it stands; further ones are of readings that add a condition.
+/// The first measurement of each is of the claim as it stands; further ones are of readings that add a
+/// condition.
 /// \return "reproduced", "holds only if …", "differs", or "cannot tell" where nothing finite was measured
 inline std::string verdict(const Statement& statement, const Conventions& conventions,
                            const std::vector<Measurement>& one, const std::vector<Measurement>& other) {

@@ -88,10 +88,10 @@ int order(const support::Powers& a) {
     return a[0] + a[1] + a[2];
 }
 
-/// Bound on the round-off error of each weight of K, to first order: the sums in C have a term for each particle,
-/// the terms carry the rounding errors of a lowered Gaussian, and the solutions of C K = D those of the Cholesky
-/// factors. These do not depend on the size of the monomials: condition and inverse are those of C with a unit
-/// diagonal.
+/// Bound on the round-off error of each weight of K, to first order: the sums in C have a term for each
+/// particle, the terms carry the rounding errors of a lowered Gaussian, and the solutions of C K = D those of
+/// the Cholesky factors. These do not depend on the size of the monomials: condition and inverse are those of
+/// C with a unit diagonal.
 /// \return a row for each particle, a column for each entry of Q
 Eigen::ArrayXXd round_off(const Case& given, const Bases& bases) {
     const Eigen::MatrixXd s = (given.x(Eigen::all, bases.particle).colwise() - given.place) / given.h;

@@ -110,7 +110,8 @@ TEST_CASE("plot: what cannot be drawn or written is refused before anything is c
 TEST_CASE("plot: a drawing that the disk has no room for is no figure" *
           doctest::skip(support::threads_are_watched)) {
     const Folder folder;
-    // No file may grow beyond 20 kB, and who tries hears of an error, not of a signal: to gnuplot, a full disk.
+    // No file may grow beyond 20 kB, and who tries hears of an error, not of a signal: to gnuplot, a full
+    // disk.
     check_refused(
         "derivative_test --particles 20,40 --output /dev/null --plot " + folder.path + "/figure.svg", 1,
         "gnuplot left it unfinished; is the disk full?", "trap '' XFSZ; ulimit -f 40; ");

@@ -10,8 +10,8 @@
 
 #include "base/errors.hpp"
 
-/// As positions of a line, any file is from 0 to 1 and increases, as points of the plane it is finite, or it is refused as invalid
-/// input.
+/// As positions of a line, any file is from 0 to 1 and increases, as points of the plane it is finite, or it
+/// is refused as invalid input.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const int file = memfd_create("positions", 0);
     if (ftruncate(file, 0) != 0 || pwrite(file, data, size, 0) != static_cast<ssize_t>(size)) std::abort();

@@ -64,7 +64,8 @@ double order(const std::vector<Index>& numbers, const std::function<double(Index
 /// Which of 100 particles: all, or those whose support lies inside Ω.
 enum class Where { all, interior };
 
-/// The largest absolute value over the neighbourhoods of 100 particles. \param perturbation of their positions, in δ
+/// The largest absolute value over the neighbourhoods of 100 particles. \param perturbation of their
+/// positions, in δ
 double over_particles(Volumes volumes, Where where,
                       const std::function<double(const Neighbourhood<double>&)>& value,
                       double perturbation = 0);

@@ -41,7 +41,8 @@ report::Computations section_3_2() {
              };
              return {{"", order_with(0.25)}, {"particles are uniform", order_with(0)}};
          })},
-        // Order of DB by (11) inside with h = δ, then with h = 2δ, where the denominator of (16) is closer to one
+        // Order of DB by (11) inside with h = δ, then with h = 2δ, where the denominator of (16) is closer to
+        // one
         {"A-3.2-original-inside", readings([](Volumes volumes) -> std::vector<Measurement> {
              const auto order_with = [&](double smoothing) {
                  return order_inside("original", Derivative::first, volumes, 0, smoothing);

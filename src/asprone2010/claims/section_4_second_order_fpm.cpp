@@ -26,7 +26,8 @@ double reciprocal_condition(const Neighbourhood<double>& near, const std::array<
     return values[2] / values[0];
 }
 
-/// Largest difference between the corrected kernel and W, which is divided by its discrete integral or not, inside.
+/// Largest difference between the corrected kernel and W, which is divided by its discrete integral or not,
+/// inside.
 double difference_of_kernels(Volumes volumes, bool divided) {
     return over_particles(volumes, Where::interior, [=](const Neighbourhood<double>& near) {
         const double integral = divided ? (near.W * near.V).sum() : 1;

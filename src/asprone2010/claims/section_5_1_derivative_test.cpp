@@ -11,7 +11,8 @@ namespace {
 
 using numerical_tests::discretise;
 
-/// Distance of the particle with the largest error of D²B for eˣ from the nearer end, in spacings; 640 particles.
+/// Distance of the particle with the largest error of D²B for eˣ from the nearer end, in spacings; 640
+/// particles.
 Index distance_from_end(const Formulation<double>& formulation, Volumes volumes) {
     const auto [line, smoothing] = discretise<double>({volumes}, 640, 1);
     const Column<double> f = line.x().exp();

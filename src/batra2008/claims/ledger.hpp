@@ -13,8 +13,8 @@ report::Computations section_3_2();
 report::Computations section_4_1();
 report::Computations section_4_2();
 
-/// All computations. Convention 0 takes the error norm as printed, a difference of norms; convention 1 the norm of the
-/// difference. Those about the hole's layouts read data/batra2008/layouts.csv.
+/// All computations. Convention 0 takes the error norm as printed, a difference of norms; convention 1 the
+/// norm of the difference. Those about the hole's layouts read data/batra2008/layouts.csv.
 report::Ledger ledger();
 
 }  // namespace claims

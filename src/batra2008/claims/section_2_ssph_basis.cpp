@@ -48,14 +48,15 @@ double error_with_constant_kernel() {
     return most;
 }
 
-/// What is estimated, by its entry of Q in dim dimensions: f, its derivative by x1, its second derivative by x1.
+/// What is estimated, by its entry of Q in dim dimensions: f, its derivative by x1, its second derivative by
+/// x1.
 constexpr Index f = 0, first = 1;
 constexpr Index second(int dim) {
     return dim + 1;
 }
 
-/// Order in h of the error of an estimate for m = 2. The particles are random and shrink with h towards a place beside the
-/// origin. The function exp(k·x) has no symmetries.
+/// Order in h of the error of an estimate for m = 2. The particles are random and shrink with h towards a
+/// place beside the origin. The function exp(k·x) has no symmetries.
 template <int dim>
 double order_of_error(Index I) {
     const auto cloud = random_cloud<dim>(dim == 1 ? 20 : dim == 2 ? 60 : 300, 1);
@@ -86,8 +87,8 @@ double reciprocal_condition(const Matrix& C) {
     return values[values.size() - 1] / values[0];
 }
 
-/// Reciprocal condition of C for 12 particles around the origin, in units of h with ρ = 4: on a circle, or on a curve that
-/// wobbles about it.
+/// Reciprocal condition of C for 12 particles around the origin, in units of h with ρ = 4: on a circle, or on
+/// a curve that wobbles about it.
 double reciprocal_condition_of_ring(double wobble) {
     constexpr int count = 12;
     Eigen::Array<double, Eigen::Dynamic, 2> s(count, 2);

@@ -181,7 +181,8 @@ double range_beyond_3_5(Norm norm) {
     return widest;
 }
 
-/// Rate of convergence between the coarsest and the finest grid; the distance of the particles falls to a sixth.
+/// Rate of convergence between the coarsest and the finest grid; the distance of the particles falls to a
+/// sixth.
 double rate(Method method, Norm norm) {
     return (log_E(on_grid(method, grids.front()), norm) - log_E(on_grid(method, grids.back()), norm)) /
            std::log10(6.0);

@@ -22,7 +22,8 @@ using example_problems::Solution;
 
 // On a family of layouts: data/batra2008/layouts.csv
 
-/// Layouts with about the same number of particles. The reference is the first draw of the graded one with radius 0.3.
+/// Layouts with about the same number of particles. The reference is the first draw of the graded one with
+/// radius 0.3.
 struct Layouts {
     std::string graded, polar;
 };
@@ -83,7 +84,8 @@ double median(const std::vector<double>& numbers) {
     return report::quartiles(numbers).median;
 }
 
-/// log E of one method and layout less that of another: on the reference, in the median, in the median of polar layouts.
+/// log E of one method and layout less that of another: on the reference, in the median, in the median of
+/// polar layouts.
 Computation difference_of_log_E(Method one, const Layouts& on_one, Method other, const Layouts& on_other) {
     return [=](const report::Statement&, std::size_t convention) -> std::vector<Measurement> {
         const Family a = family(one, on_one, log_E(convention));
