@@ -175,11 +175,12 @@ std::vector<Words> invocations(const std::string& program, const Words& values) 
             if (other.front() != option) others.insert(others.end(), other.begin(), other.end());
         if (option != "--output" && program != "walkthrough" && program != "compare_tables")
             others.insert(others.end(), {"--output", "kept"});
-        const auto add = [&](Words words) {
-            words.insert(words.begin(), program);
-            if (!option.empty()) words.insert(words.begin() + 1, option);
-            words.insert(words.end(), others.begin(), others.end());
-            all.push_back(words);
+        Words with_option{program};
+        if (!option.empty()) with_option.push_back(option);
+        const auto add = [&](const Words& given) {
+            all.push_back(with_option);
+            for (const Words& more : {given, others})
+                all.back().insert(all.back().end(), more.begin(), more.end());
         };
         add({});
         for (const std::string& value : values) add({value});
