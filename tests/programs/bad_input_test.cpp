@@ -45,7 +45,8 @@ TEST_CASE("bad input: numbers of particles that are none, too few, or more than 
         {"derivative_test", "--particles 3", 1, "take at least 4 particles"},
         {"derivative_test", "--particles -5", 2, "at least 2 particles, got -5"},
         {"derivative_test", "--particles 1e18", 2, "--particles: 1e+18 is no whole number"},
-        {"derivative_test", "--particles abc", 2, "--particles: 'abc' is neither a number nor a range from:step:to"},
+        {"derivative_test", "--particles abc", 2,
+         "--particles: 'abc' is neither a number nor a range from:step:to"},
         {"derivative_test", "--particles nan", 2, "--particles: 'nan' is neither a number"},
         {"derivative_test", "--particles inf", 2, "--particles: 'inf' is neither a number"},
         {"derivative_test", "--particles ''", 2, "--particles is empty; give it a value or leave it out"},
@@ -165,7 +166,7 @@ TEST_CASE("bad input: names that nothing has, options that are missing a value o
         {"static_test", "--end nothing", 2, "there is no formulation 'nothing'"},
         {"stencil", "--formulation fem", 2, "there is no formulation 'fem'"},
         {"constants", "--volumes all", 2, "choose one of equal, partition"},
-        {"constants", "--kernel cubic", 2, "choose one of gaussian"},
+        {"constants", "--kernel cubic", 2, "choose one of all, gaussian"},
         {"constants", "--formulation fem", 2, "there is no formulation 'fem'"},
         {"roundoff", "--formulation original", 2, "choose one of order 1 or 2"},
         {"draws", "--formulation fem", 2, "there is no formulation 'fem'"},
@@ -192,7 +193,7 @@ TEST_CASE("bad input: expressions that are none, that are not smooth, or that ex
         {"derivative_test", "--function nan", 2, "there is no 'nan'"},
         {"derivative_test", "--function 1e400", 2, "a number is too long at character 1"},
         {"derivative_test", "--function '9^9^9^9'", 2, "the power is too large at character 4"},
-        {"derivative_test", "--function 'exp(exp(exp(9)))'", 2, "is not real and bounded"},
+        {"derivative_test", "--function 'exp(exp(exp(9)))'", 2, "exp is too large at character 5"},
         {"derivative_test", "--function 'x^x^x^x'", 2, "is not real and bounded"},
         {"derivative_test", "--function '1/x'", 2, "is not real and bounded near x = 0"},
         {"derivative_test", "--function \"$(printf '%0900d' 0 | tr 0 '(')\"", 2, "nested more than 50 deep"},
@@ -270,7 +271,8 @@ TEST_CASE("bad input: what cannot be written is refused before it is computed, a
     check_refused(draw + " --output " + kept + "/x.csv", 1, "Not a directory");
     check_refused(draw + " --output ''", 2, "--output is empty");
     check_refused(draw + " --output /dev/full", 1, "cannot write /dev/full: No space left on device");
-    check_refused(draw + " --output " + kept + " --particles 1", 2, "at least 2 particles");
+    check_refused("derivative_test --formulation fpm --particles 1 --output " + kept, 2,
+                  "at least 2 particles");
     check_refused(draw + " --output " + kept + " --smoothing 0.01", 1, "try --smoothing");
     check_refused(draw + " --output " + kept + " --plot " + folder_itself + "/none/x.svg", 1, "No such file");
     check_refused(draw + " --output " + kept + " --plot " + folder_itself, 2, "does not end in .svg");
