@@ -70,8 +70,7 @@ inline Points<2> moved_grid(Index nx, Index ny, double amplitude, unsigned long 
     for (Index i = 1; i < nx - 1; ++i)
         for (Index j = 1; j < ny - 1; ++j)
             for (Index axis = 0; axis < 2; ++axis)
-                x(axis, i * ny + j) +=
-                    random.uniform(-amplitude, amplitude) * spacing;
+                x(axis, i * ny + j) += random.uniform(-amplitude, amplitude) * spacing;
     return x;
 }
 
