@@ -1,9 +1,6 @@
-#include <algorithm>
+#include "report/walkthrough.hpp"
+
 #include <filesystem>
-#include <iostream>
-#include <map>
-#include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,284 +8,10 @@
 #include "command_line/command_line.hpp"
 #include "report/file.hpp"
 #include "report/markdown.hpp"
-#include "report/papers.hpp"
-#include "report/source.hpp"
-#include "report/table.hpp"
-#include "report/tally.hpp"
 
 namespace {
 
-using base::FailedComputation;
-using report::escaped;
-using report::Paper;
-using report::read_whole;
-using report::replaced;
-using report::Table;
-
-// The papers with what paper/ and data/ hold about them
-
-Table table_of(const std::string& path) {
-    return report::parsed_words(read_whole(path));
-}
-
-/// A paper with its equations, its claims and the verdicts on these.
-struct Reproduction {
-    Paper paper;
-    Table equations, claims, verdicts;
-};
-
-/// Every paper that has equations or claims.
-/// \throws FailedComputation where its verdicts are missing
-std::vector<Reproduction> reproductions() {
-    const auto papers = report::papers(table_of("paper/papers.csv"));
-    const auto equations = report::by_paper(table_of("paper/equations.csv"), papers);
-    const auto claims = report::by_paper(table_of("paper/claims.csv"), papers);
-    std::vector<Reproduction> all;
-    for (const Paper& paper : papers) {
-        const Table &its_equations = equations.at(paper.folder), &its_claims = claims.at(paper.folder);
-        const std::string verdicts = "data/" + paper.folder + "/claims.csv";
-        if (std::filesystem::exists(verdicts))
-            all.push_back({paper, its_equations, its_claims, table_of(verdicts)});
-        else if (!its_equations.rows.empty() || !its_claims.rows.empty())
-            throw FailedComputation(verdicts + " is missing; run make claims");
-    }
-    return all;
-}
-
-/// The reproduction in a folder; null for a folder of no paper.
-const Reproduction* reproduction_in(const std::string& folder, const std::vector<Reproduction>& all) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Reproduction& reproduction) {
-        return reproduction.paper.folder == folder;
-    });
-    return found == all.end() ? nullptr : &*found;
-}
-
-// Links
-
-/// The number in an equation's key: A16 -> 16.
-std::string number(const std::string& equation) {
-    return equation.substr(1);
-}
-
-/// The anchor of an equation ("index"), of a claim ("claim") or of a section's claims ("claims"). Doxygen's
-/// anchors have no dots.
-std::string anchor(const std::string& kind, const std::string& key) {
-    return kind + "_" + replaced(key, ".", "_");
-}
-
-/// The anchor of a test file on the page of tests: asprone2010/rkpm_test.cpp -> test_asprone2010_rkpm_test.
-std::string anchor_of_test(const std::string& file) {
-    return "test_" + replaced(file.substr(0, file.rfind('.')), "/", "_");
-}
-
-/// The text of a cell. Equations of its paper that it names, "(16)", become links.
-std::string linked(const std::string& text, const Table& equations) {
-    std::string with_links = escaped(text);
-    for (std::size_t row = 0; row < equations.rows.size(); ++row) {
-        const std::string equation = equations.word(row, "equation");
-        with_links = replaced(with_links, "(" + number(equation) + ")", "\\eq{" + equation + "}");
-    }
-    return with_links;
-}
-
-/// A section's page, its namespace, by its file: asprone2010/section_3_1_original.hpp ->
-/// asprone2010::original.
-std::string section_page(const std::string& code) {
-    static const std::regex shape(R"re((\w+)/section_[0-9_]+(\w+)\.hpp)re");
-    std::smatch found;
-    if (!std::regex_match(code, found, shape)) throw FailedComputation(code + " is no section's file");
-    return found[1].str() + "::" + found[2].str();
-}
-
-// The index of equations
-
-/// Links to the claims about an equation.
-std::string claims_about(const std::string& equation, const Table& claims) {
-    std::string links;
-    for (std::size_t row = 0; row < claims.rows.size(); ++row)
-        if ((" " + claims.word(row, "equations") + " ").find(" " + number(equation) + " ") !=
-            std::string::npos)
-            links += " \\claim{" + claims.word(row, "id") + "}";
-    return links;
-}
-
-std::string equations_of(const Reproduction& reproduction) {
-    const auto& [paper, equations, claims, verdicts] = reproduction;
-    std::string text =
-        "\n## " + paper.citation + "\n\n" + report::head({"equation", "section", "says", "tests", "claims"});
-    for (std::size_t row = 0; row < equations.rows.size(); ++row) {
-        const auto word = [&, &table = equations](const char* column) { return table.word(row, column); };
-        const std::string equation = word("equation");
-        text += report::row({"\\anchor " + anchor("index", equation) + " \\eq{" + equation + "}",
-                             "\\ref " + section_page(word("code")) + " \"" + word("section") + "\"",
-                             escaped(word("meaning")), "\\ref " + anchor_of_test(word("test")) + " \"tests\"",
-                             claims_about(equation, claims)});
-    }
-    return text;
-}
-
-std::string equation_page(const std::vector<Reproduction>& all) {
-    std::string page =
-        "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, "
-        "the tests that name it, and the verdicts on what the paper claims about it.\n";
-    for (const Reproduction& reproduction : all) page += equations_of(reproduction);
-    return page;
-}
-
-// The ledger of claims
-
-/// A claim in words. Behind it stand links to the equations that it is about without naming them.
-std::string claim_in_words(const Reproduction& reproduction, std::size_t row) {
-    std::string text = linked(reproduction.claims.word(row, "claim"), reproduction.equations);
-    std::istringstream numbers(reproduction.claims.word(row, "equations"));
-    for (std::string each; numbers >> each;)
-        if (const std::string link = "\\eq{" + reproduction.paper.letter + each + "}";
-            text.find(link) == std::string::npos)
-            text += " " + link;
-    return text;
-}
-
-/// A verdict; one other than "reproduced" stands out, with the number that a condition gives.
-std::string verdict_in_words(const Table& verdicts, std::size_t row) {
-    const std::string verdict = verdicts.word(row, "verdict"),
-                      conditional = verdicts.word(row, "conditional");
-    return (verdict == "reproduced" ? verdict : "**" + escaped(verdict) + "**") +
-           (conditional.empty() ? "" : " (then " + conditional + ")");
-}
-
-/// \throws FailedComputation where the verdict in this row is on another claim
-std::string claim_row(const Reproduction& reproduction, std::size_t row) {
-    const auto& [paper, equations, claims, verdicts] = reproduction;
-    const auto word = [&, &table = claims](const char* column) { return table.word(row, column); };
-    const std::string id = word("id");
-    if (row >= verdicts.rows.size() || verdicts.word(row, "id") != id)
-        throw FailedComputation("claim " + id + " has no verdict yet; run make claims");
-    return report::row(
-        {"\\anchor " + anchor("claim", id) + " \\ref " + anchor_of_test(word("test")) + " \"" + id + "\"",
-         claim_in_words(reproduction, row), verdict_in_words(verdicts, row),
-         linked(word("quantity"), equations) + ": " + escaped(verdicts.word(row, "statement")) + " (" +
-             escaped(word("reason")) + ")",
-         verdicts.word(row, "measured_" + paper.conventions.one.name),
-         verdicts.word(row, "measured_" + paper.conventions.other.name), word("old_id")});
-}
-
-std::string claims_of(const Reproduction& reproduction) {
-    const auto& [paper, equations, claims, verdicts] = reproduction;
-    const auto& [about, one, other] = paper.conventions;
-    std::map<std::string, std::string> sections;
-    for (std::size_t row = 0; row < claims.rows.size(); ++row)
-        sections[claims.word(row, "section")] += claim_row(reproduction, row);
-    std::string text = "## " + paper.citation + "\n\nThe two conventions: " + one.name + ", " +
-                       one.condition + "; " + other.name + ", " + other.condition + ".\n\n";
-    for (const auto& [section, rows] : sections)
-        text += "### Section " + section + ": " + report::in_brief(report::tally(verdicts, section)) +
-                "\n\n\\anchor " + anchor("claims", paper.letter + "-" + section) + "\n\n" +
-                report::head({"claim", "says", "verdict", "measured quantity: what it must be (why so close)",
-                              one.name, other.name, "old id"}) +
-                rows + "\n";
-    return text;
-}
-
-std::string claims_page(const std::vector<Reproduction>& all) {
-    std::string page =
-        "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in "
-        "our words. Each verdict is computed: the statement is compared with what was measured under two "
-        "conventions between which the print does not decide. The name of a claim leads to the tests of its "
-        "subject.\n\n";
-    for (const Reproduction& reproduction : all) page += claims_of(reproduction);
-    return page;
-}
-
-// What the print leaves open
-
-/// The same quantities with one choice and with another, a table for each pair of choices.
-std::string choices_of(const Paper& paper, const Table& choices) {
-    std::string text = "\n## " + paper.citation + "\n\nThe \\ref companion_" + paper.folder +
-                       " \"companion\" says what we chose and why.\n";
-    std::string current;
-    for (std::size_t row = 0; row < choices.rows.size(); ++row) {
-        const auto word = [&](const char* column) { return escaped(choices.word(row, column)); };
-        if (const std::string choice = word("choice"); choice != current) {
-            text += "\n### " + choice + "\n\n" +
-                    report::head({"quantity", "formulation", word("one"), word("other")});
-            current = choice;
-        }
-        text += report::row({word("quantity"), word("formulation"), word("with_one"), word("with_other")});
-    }
-    return text;
-}
-
-std::string choices_page(const std::vector<Reproduction>& all) {
-    std::string page = "Choices {#choices}\n=======\n\nWhat the print leaves open, measured both ways.\n";
-    for (const Reproduction& reproduction : all)
-        if (const std::string choices = "data/" + reproduction.paper.folder + "/choices.csv";
-            std::filesystem::exists(choices))
-            page += choices_of(reproduction.paper, table_of(choices));
-    return page;
-}
-
-// What the tests state
-
-std::vector<std::string> test_files() {
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator("tests"))
-        if (entry.path().string().ends_with("_test.cpp")) files.push_back(entry.path().generic_string());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-/// The names of the test cases of each file.
-std::string tests_page(const std::vector<Reproduction>& all) {
-    std::string page =
-        "Tests {#tests}\n=====\n\nWhat the tests of each file state. `make check` runs them all.\n\n";
-    for (const std::string& path : test_files()) {
-        const std::string file = path.substr(std::string("tests/").size());
-        page += "\\section " + anchor_of_test(file) + " " + file + "\n";
-        const Reproduction* reproduction = reproduction_in(file.substr(0, file.find('/')), all);
-        for (const std::string& name : report::test_cases(read_whole(path)))
-            page += "- " + (reproduction ? linked(name, reproduction->equations) : escaped(name)) + "\n";
-        page += "\n";
-    }
-    return page;
-}
-
-// The generated parts of README.md and of doc/reproduction.md
-
-/// The verdicts on all papers in one sentence.
-std::string sentence(const std::vector<Reproduction>& all) {
-    report::Tally tally;
-    for (const Reproduction& reproduction : all) tally = tally + report::tally(reproduction.verdicts);
-    return report::in_a_sentence(tally) + "\n";
-}
-
-/// A link from doc/ to a file or folder by its path from the top folder.
-std::string link(const std::string& path) {
-    return "[" + std::filesystem::path(path).filename().string() + "](../" + path + ")";
-}
-
-std::string links(const std::string& paths) {
-    std::string all;
-    std::istringstream words(paths);
-    for (std::string path; words >> path;) all += (all.empty() ? "" : ", ") + link(path);
-    return all;
-}
-
-/// What the papers hold: command, output, source and verdicts of each item of paper/items.csv.
-/// \throws FailedComputation for an item of no paper
-std::string items(const std::vector<Reproduction>& all) {
-    const Table table = table_of("paper/items.csv");
-    std::string text = report::head({"paper", "command", "output", "source", "claims"});
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const auto word = [&](const char* column) { return table.word(row, column); };
-        const Reproduction* reproduction = reproduction_in(word("paper"), all);
-        if (!reproduction)
-            throw FailedComputation("'" + word("item") + "' of paper/items.csv is of no paper");
-        text += report::row({word("item"), "`" + word("command") + "`", links(word("output")),
-                             link(word("source")),
-                             report::in_brief(report::tally(reproduction->verdicts, word("section")))});
-    }
-    return text;
-}
+using report::Reproduction;
 
 /// A file with a generated part, as it is and as it must be.
 struct Page {
@@ -296,16 +19,16 @@ struct Page {
 };
 
 Page page(const std::string& path, const std::string& key, const std::string& part) {
-    const std::string text = read_whole(path);
+    const std::string text = report::read_whole(path);
     return {path, text, report::with_part(text, key, part, path)};
 }
 
 void write_pages(const std::string& folder, const std::vector<Reproduction>& all) {
     std::filesystem::create_directories(folder);
-    report::write_whole(folder + "/equations.md", equation_page(all));
-    report::write_whole(folder + "/claims.md", claims_page(all));
-    report::write_whole(folder + "/choices.md", choices_page(all));
-    report::write_whole(folder + "/tests.md", tests_page(all));
+    report::write_whole(folder + "/equations.md", report::equation_page(all));
+    report::write_whole(folder + "/claims.md", report::claims_page(all));
+    report::write_whole(folder + "/choices.md", report::choices_page(all));
+    report::write_whole(folder + "/tests.md", report::tests_page(all));
 }
 
 }  // namespace
@@ -326,13 +49,13 @@ int main(int argc, char** argv) {
     app.add_flag("--write", write, "write the generated parts of these two files anew");
     app.add_flag("--check", check, "fail where a generated part is stale");
     return command_line::run(app, argc, argv, [&] {
-        const std::vector<Reproduction> all = reproductions();
+        const std::vector<Reproduction> all = report::reproductions();
         if (!pages.empty()) write_pages(pages, all);
         if (!write && !check) return 0;
-        for (const Page& each :
-             {page(readme, "sentence", sentence(all)), page(reproduction, "table", items(all))}) {
+        for (const Page& each : {page(readme, "sentence", report::sentence(all)),
+                                 page(reproduction, "table", report::items(all))}) {
             if (each.fresh == each.text) continue;
-            if (!write) throw FailedComputation(each.path + " is stale; run make claims");
+            if (!write) throw base::FailedComputation(each.path + " is stale; run make claims");
             report::write_whole(each.path, each.fresh);
         }
         return 0;
