@@ -11,7 +11,7 @@ namespace report {
 
 /// A paper that the package reproduces.
 struct Paper {
-    std::string letter;       ///< first in the keys of its equations and claims: A for A16 and A04a
+    std::string letter;       ///< first in the keys of its equations and claims: A for A16 and A-5.2-order
     std::string folder;       ///< of its source, tests, data and figures: asprone2010
     std::string citation;     ///< Asprone et al. (2010)
     Conventions conventions;  ///< under which its claims are measured

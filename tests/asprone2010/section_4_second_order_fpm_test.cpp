@@ -84,7 +84,7 @@ TEST_CASE("claim A-4-kernel-inside: far from the boundary K is W over its discre
     CHECK((corrected(end).W - end.W).abs().maxCoeff() > 0.1);
 }
 
-TEST_CASE("claim A-4-A11-vanishes: A11 of (43) vanishes for every particle, to round-off") {
+TEST_CASE("claim A-4-entry-vanishes: A11 of (43) vanishes for every particle, to round-off") {
     const auto [line, smoothing] =
         support::particles_of(100, {particles::Volumes::equal, particles::Gaussian{}, 1, 0.25});
     for (Index i = 0; i < 100; ++i)

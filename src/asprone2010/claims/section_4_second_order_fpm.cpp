@@ -57,7 +57,7 @@ report::Computations section_4() {
                      {"W is divided by its discrete integral, 1.0001", difference_of_kernels(volumes, true)}};
          })},
         // Largest A11 of (43) on perturbed particles
-        {"A-4-A11-vanishes", measured([](Volumes volumes) {
+        {"A-4-entry-vanishes", measured([](Volumes volumes) {
              const auto A11 = [](const Neighbourhood<double>& near) {
                  return modified_fpm::matrix(second_order_fpm::corrected(near))(0, 0);
              };
