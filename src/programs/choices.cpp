@@ -5,8 +5,9 @@
 #include "command_line/options.hpp"
 
 int main(int argc, char** argv) {
-    command_line::CommandLine app("Measures what the choices change that the print of a paper leaves open.",
-                                  "choices", "Example: choices --paper batra2008 --output /tmp/choices.csv");
+    command_line::CommandLine app(
+        "Measures how much the results change with each choice that a paper leaves open.", "choices",
+        "Example: choices --paper batra2008 --output /tmp/choices.csv");
     std::string paper = "asprone2010", output;
     app.add_option("--paper", paper, "asprone2010 (default) or batra2008")
         .type_name("NAME")

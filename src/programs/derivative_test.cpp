@@ -67,8 +67,9 @@ int main(int argc, char** argv) {
     command_line::add_options(app, options);
 
     std::optional<std::string> function;
-    app.add_option("--function", function,
-                   "the function B of x, smooth on [0, 1] (default exp(x)); of " + expressions::vocabulary())
+    app.add_option(
+           "--function", function,
+           "the function B of x, smooth on [0, 1] (default exp(x)); made of " + expressions::vocabulary())
         .type_name("TEXT");
     command_line::add_precision(app, options);
     return command_line::run(app, argc, argv, options, [&] { return table_of(options, function); });

@@ -136,7 +136,8 @@ int main(int argc, char** argv) {
         "hole",
         "A LIST is numbers separated by commas, or a range from:step:to.\n"
         "Layouts: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays of R particles; or a file with a line x1 x2 for each particle.\n"
-        "Example: hole --layout graded-188-11,graded-686-21 --draws 4");
+        "Example: hole --layout graded-188-11,graded-686-21 --draws 4\n"
+        "Another: hole --states x2-axis --plot /tmp/hole.svg");
     Options options;
     options.scaling = {4};
     options.plane = "strain";
@@ -144,7 +145,8 @@ int main(int argc, char** argv) {
     app.add_list("--layout", options.layouts,
                  "layouts of particles, separated by commas (default graded-188-11)")
         .type_name("NAME|FILE[,...]");
-    app.add_list("--radius", options.radii, "radii of the hole in m, in a quarter of 3 m (default 0.3)");
+    app.add_list("--radius", options.radii,
+                 "radii of the hole in m; the quarter has a side of 3 m (default 0.3)");
     app.add_option("--draw", options.draw, "first draw of a graded layout (default 1)")
         .type_name("S")
         .within(1, 4000000000);

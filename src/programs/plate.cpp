@@ -141,7 +141,8 @@ int main(int argc, char** argv) {
         "plate",
         "A LIST is numbers separated by commas, or a range from:step:to.\n"
         "Corners: 1 north-east, 2 south-east, 3 south-west, 4 north-west; conditions u1, u2, s11, s22, s12.\n"
-        "Example: plate --method strong,weak1 --particles 16x4,31x7 --scaling 3:0.5:4");
+        "Example: plate --method strong,weak1 --particles 16x4,31x7 --scaling 3:0.5:4\n"
+        "Another: plate --method strong,weak1 --particles 16x4,31x7,61x13 --plot /tmp/plate.svg");
     Options options;
     app.add_list("--particles", options.grids, "grids of particles, separated by commas (default 16x4)")
         .type_name("NXxNY[,...]");

@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     int threads = 0;
     std::string output;
     app.add_list("--formulation", choice.formulations,
-                 "of order 1 or 2 (default modified_fpm,second_order_fpm)");
+                 "which formulations, of order 1 or 2 (default modified_fpm,second_order_fpm)");
     app.add_option("--most", choice.most, "particles at most in double and long precision (default 1000000)")
         .type_name("N")
         .within(10, 10000000);

@@ -77,12 +77,12 @@ int main(int argc, char** argv) {
         .type_name("NAME");
     app.add_option(
            "--displacement", options.displacement,
-           "the exact displacement u, smooth on [0, 1] (default -exp(x)+e*x+1), from which the load and the end values follow; of " +
+           "the exact displacement u, smooth on [0, 1] (default -exp(x)+e*x+1), from which the load and the end values follow; made of " +
                expressions::vocabulary())
         .type_name("TEXT");
     app.add_option("--corrections", options.corrections,
-                   "most corrections of the solution by the solution for its residual (default " +
-                       std::to_string(options.corrections) + "; fewer where they no longer help)")
+                   "how often the solution is corrected for its residual, at most (default " +
+                       std::to_string(options.corrections) + "; fewer where that no longer helps)")
         .type_name("K")
         .within(0, static_test::most_corrections);
     command_line::add_precision(app, options);
