@@ -233,7 +233,9 @@ int run(CommandLine& app, int argc, char** argv, Options& options,
         if (!options.figure.path.empty() && options.perturbations.size() > 2)
             throw InvalidInput("--plot draws at most two perturbations, such as 0,0.25");
         if (options.positions_file) {
-            check_apart({{"--output", options.output}, {"--positions", *options.positions_file}});
+            check_apart({{"--output", options.output},
+                         {"--plot", options.figure.path},
+                         {"--positions", *options.positions_file}});
             options.positions = read_positions(*options.positions_file);
             options.particles = {static_cast<long>(options.positions.size())};
         }

@@ -34,7 +34,8 @@ bool read(const std::string& text, double& number) {
 /// The numbers from `from` to `to`. They are rounded, so that 2:0.1:4 holds 2.3 and not 2.3000000000000003.
 std::vector<double> range(double from, double step, double to) {
     const auto steps = std::lround(std::floor((to - from) / step * (1 + 1e-12) + 1e-9));
-    const double digits = std::pow(10, 9 - std::floor(std::log10(step)));
+    const double finest = from == 0 ? step : std::min(step, std::abs(from));
+    const double digits = std::pow(10, 9 - std::floor(std::log10(finest)));
     std::vector<double> all;
     for (long k = 0; k <= steps; ++k) {
         const double number = from + static_cast<double>(k) * step;

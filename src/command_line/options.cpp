@@ -12,15 +12,29 @@ namespace command_line {
 
 using base::InvalidInput;
 
+namespace {
+
+/// The file that an option names, in full. The table goes to the standard output, -, unless told otherwise.
+std::string in_full(const std::string& option, const std::string& file) {
+    if (file == "-" || file == "/dev/stdout" || (file.empty() && option == "--output")) return "-";
+    std::error_code none;
+    return file.empty() ? "" : std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
+}
+
+}  // namespace
+
 void check_apart(const std::vector<std::pair<std::string, std::string>>& files) {
     std::error_code none;
     for (std::size_t a = 0; a < files.size(); ++a)
         for (std::size_t b = 0; b < a; ++b) {
             const auto& [option, file] = files[a];
             const auto& [other_option, other_file] = files[b];
-            if (file.empty() || other_file.empty() || std::filesystem::is_other(file, none)) continue;
-            if (std::filesystem::weakly_canonical(file, none) ==
-                std::filesystem::weakly_canonical(other_file, none))
+            const std::string full = in_full(option, file);
+            if (full.empty() || full != in_full(other_option, other_file)) continue;
+            if (full == "-")
+                throw InvalidInput(option + " and " + other_option +
+                                   " both go to the standard output; choose a file for one of them");
+            if (!std::filesystem::is_other(file, none))
                 throw InvalidInput(option + " and " + other_option + " name the same file, " + file +
                                    "; choose another for one of them");
         }

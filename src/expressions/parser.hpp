@@ -59,9 +59,8 @@ class Evaluator {
 /// A function of x with its derivatives. All three are real and bounded everywhere on [0, 1], not at samples
 /// alone: they are evaluated on subintervals, which are halved until the results are bounded (Interval).
 ///
-/// A function that is not bounded on a subinterval of length 2⁻⁴⁰ is refused. So are functions with a pole
-/// that close to [0, 1], functions that only look singular, such as sin(x)/x at 0, and kinks: min and max
-/// where their arguments meet.
+/// A function that is not bounded on a subinterval of length 2⁻⁴⁰ is refused. So are functions that only
+/// look singular, such as sin(x)/x at 0, and kinks: min and max where their arguments meet.
 /// \tparam Scalar double, long double or base::Quad
 /// \param option what the text belongs to, for messages
 /// \throws base::InvalidInput, in one line, as parsed() does, or naming the place where the function or a

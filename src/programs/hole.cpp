@@ -104,7 +104,10 @@ report::Table table_of(const Options& options) {
     const auto cases = command_line::cases(options, hole::E, hole::penalty);
     if (!options.figure.path.empty()) check_drawable(options, cases);
     for (const std::string& layout : options.layouts)
-        command_line::check_apart({{"--layout", layout}, {"--output", options.output}});
+        command_line::check_apart({{"--layout", layout},
+                                   {"--output", options.output},
+                                   {"--field", options.field},
+                                   {"--plot", options.figure.path}});
     command_line::ExampleTable table(
         options, cases,
         "Batra and Zhang (2008), Section 4.2: a quarter of a plate with a hole; lengths in m, stresses in Pa",

@@ -1,13 +1,16 @@
 #include "report/file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "base/errors.hpp"
@@ -22,21 +25,43 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     throw base::FailedComputation("cannot " + action + " " + path + ": " + std::strerror(errno));
 }
 
-bool is_standard_output(const std::string& path) {
-    return path.empty() || path == "-" || path == "/dev/stdout";
+/// The number of an open file by its name.
+std::optional<int> descriptor_named(const std::string& name) {
+    if (name == "/dev/stdout") return 1;
+    if (name == "/dev/stderr") return 2;
+    for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        int number = -1;
+        if (!name.starts_with(folder)) continue;
+        const auto [end, error] =
+            std::from_chars(name.data() + folder.size(), name.data() + name.size(), number);
+        if (error == std::errc() && end == name.data() + name.size()) return number;
+    }
+    return {};
 }
 
-/// Devices, pipes and open files: another file cannot take their place.
+/// The open file that a path names, such as /dev/fd/3, itself or by a link.
+std::optional<int> descriptor(const std::string& path) {
+    std::error_code none;
+    const auto name = std::filesystem::absolute(path, none).lexically_normal();
+    if (const auto number = descriptor_named(name.string())) return number;
+    return descriptor_named(std::filesystem::read_symlink(name, none).string());
+}
+
+bool is_standard_output(const std::string& path) {
+    return path.empty() || path == "-" || descriptor(path) == 1;
+}
+
+/// Devices and pipes: another file cannot take their place.
 bool is_appended_to(const std::string& path) {
     std::error_code none;
     const auto status = std::filesystem::status(path, none);
-    return path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
-           (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status));
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
 /// The file itself, where the path is a link to it.
 std::string behind_links(const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none).string();
 }
 
 /// The longest text that is read: a device such as /dev/zero has no end.
@@ -57,8 +82,8 @@ bool put(std::FILE* file, const std::string& text) {
 }
 
 /// \return whether all of it was written; else errno has the reason
-bool write(const std::string& path, const char* mode, const std::string& text) {
-    File file(std::fopen(path.c_str(), mode), std::fclose);
+bool write(std::FILE* opened, const std::string& text) {
+    File file(opened, std::fclose);
     return file && put(file.get(), text) && std::fclose(file.release()) == 0;
 }
 
@@ -66,9 +91,15 @@ bool write(const std::string& path, const char* mode, const std::string& text) {
 
 void check_writable(const std::string& path) {
     if (is_standard_output(path)) return;
+    if (const auto number = descriptor(path)) {
+        const int flags = fcntl(*number, F_GETFL);
+        errno = EBADF;
+        if (flags == -1 || (flags & O_ACCMODE) == O_RDONLY) fail("write", path);
+        return;
+    }
     std::error_code reason;
     const auto status = std::filesystem::status(path, reason);
-    const bool to_be_made = reason.value() == ENOENT && !is_appended_to(path);
+    const bool to_be_made = reason.value() == ENOENT;
     errno = std::filesystem::is_directory(status) ? EISDIR : reason.value();
     if (errno != 0 && !to_be_made) fail("write", path);
     if (!to_be_made && access(path.c_str(), W_OK) != 0) fail("write", path);
@@ -83,14 +114,18 @@ void write_whole(const std::string& path, const std::string& text) {
         return;
     }
     check_writable(path);
+    if (const auto number = descriptor(path)) {
+        if (!write(fdopen(dup(*number), "wb"), text)) fail("write", path);
+        return;
+    }
     if (is_appended_to(path)) {
-        if (!write(path, "ab", text)) fail("write", path);
+        if (!write(std::fopen(path.c_str(), "ab"), text)) fail("write", path);
         return;
     }
     const std::string target = behind_links(path), temporary = target + ".tmp." + std::to_string(getpid());
     std::error_code none;
     const auto before = std::filesystem::status(target, none);
-    bool written = write(temporary, "wb", text);
+    bool written = write(std::fopen(temporary.c_str(), "wb"), text);
     if (written && std::filesystem::exists(before))
         std::filesystem::permissions(temporary, before.permissions(), none);
     written = written && std::rename(temporary.c_str(), target.c_str()) == 0;

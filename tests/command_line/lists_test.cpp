@@ -11,6 +11,8 @@ TEST_CASE("lists: lists are numbers and ranges, whose ends belong to them") {
     CHECK(numbers("--x", "2:0.1:2.3") == std::vector<double>{2, 2.1, 2.2, 2.3});
     CHECK(numbers("--x", "1e-13:1e-13:3e-13") == std::vector<double>{1e-13, 2e-13, 3e-13});
     CHECK(numbers("--x", "0.3:1e-15:0.300000000000001").front() == 0.3);
+    CHECK(numbers("--x", "0.0014:1e6:1e6").front() == 0.0014);
+    CHECK(numbers("--x", "1e-12:0.1:0.3").front() == 1e-12);
     CHECK(numbers("--x", "1,2:2:7") == std::vector<double>{1, 2, 4, 6});
     CHECK(whole_numbers("--x", "3:1:5") == std::vector<long>{3, 4, 5});
     for (const char* bad :

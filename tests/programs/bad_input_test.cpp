@@ -293,8 +293,16 @@ TEST_CASE("bad input: two outputs in the same file, or an output in the place of
                   "--plot and --output name the same file");
     check_refused("plate --method strong --output " + file + " --field " + again, 2,
                   "--field and --output name the same file");
+    check_refused("derivative_test --particles 20 --output nowhere.svg --plot ./nowhere.svg", 2,
+                  "--plot and --output name the same file");
+    check_refused("plate --method strong --field -", 2,
+                  "--field and --output both go to the standard output");
     CHECK(folder.entries() == 0);
     report::write_whole(file, line);
+    check_refused("derivative_test --formulation fpm --positions " + file + " --plot " + again, 2,
+                  "--positions and --plot name the same file");
+    check_refused("hole --layout " + file + " --field " + again, 2,
+                  "--field and --layout name the same file");
     check_refused("derivative_test --formulation fpm --positions " + file + " --output " + again, 2,
                   "--positions and --output name the same file");
     check_refused("hole --layout " + file + " --output " + again, 2,

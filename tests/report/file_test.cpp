@@ -102,6 +102,32 @@ TEST_CASE("file: an open file keeps what it holds; one that is closed is refused
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("file: an open file is written where it stands, by any of its names") {
+    const Folder folder;
+    const std::string path = folder.path + "/log", link = folder.path + "/link";
+    const int log = open(path.c_str(), O_WRONLY | O_CREAT, 0600);
+    const std::string number = std::to_string(log);
+    std::filesystem::create_symlink("/proc/self/fd/" + number, link);
+    for (const std::string& name :
+         {"/dev/fd/" + number, "/proc/self/fd/" + number, "/dev/../dev/fd/" + number, link})
+        report::write_whole(name, "a\n");
+    CHECK(write(log, "last\n", 5) == 5);
+    close(log);
+    CHECK(report::read_whole(path) == "a\na\na\na\nlast\n");
+}
+
+TEST_CASE("file: a file that is open for reading is not written to") {
+    const Folder folder;
+    const std::string path = folder.path + "/input";
+    report::write_whole(path, "input");
+    const int input = open(path.c_str(), O_RDONLY);
+    const std::string name = "/dev/fd/" + std::to_string(input);
+    CHECK_THROWS_WITH_AS(report::write_whole(name, "output"), doctest::Contains("Bad file descriptor"),
+                         base::FailedComputation);
+    close(input);
+    CHECK(report::read_whole(path) == "input");
+}
+
 TEST_CASE("file: what could not be written in the end is known before") {
     const Folder folder;
     const std::string path = folder.path + "/file.csv";
