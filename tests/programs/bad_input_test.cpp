@@ -319,7 +319,7 @@ TEST_CASE("bad input: an open file that is named as output keeps what stands bef
           "first\n" + table + "last\n");
     CHECK(run("{ " + draw + " --output /dev/stdout | cat; }").output == table);
     CHECK(run("{ " + draw + " --output /dev/fd/3 3>&1; }").output == table);
-    check_refused(draw + " --output /dev/fd/7", 1, "cannot write /dev/fd/7: No such file or directory");
+    check_refused(draw + " --output /dev/fd/7", 1, "cannot write /dev/fd/7: Bad file descriptor");
 }
 
 TEST_CASE("bad input: an environment that asks for too much, or for another terminal") {
