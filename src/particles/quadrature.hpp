@@ -17,8 +17,8 @@ struct GaussRule {
 /// \throws InvalidInput unless n is positive
 GaussRule gauss_rule(Index n, double a = 0, double b = 1);
 
-/// \f$\int_a^b f\,dx \cong l \sum_k w_k\,[f(m + l x_k) + f(m - l x_k)]\f$, the Gauss–Legendre rule of 32
-/// points on an interval of middle m and length 2l, in pairs about the middle.
+/// The Gauss–Legendre rule of 32 points on an interval of middle m and length 2l, in pairs about the middle:
+/// \f[ \int_a^b f\,dx \cong l \sum_k w_k\,[f(m + l x_k) + f(m - l x_k)] \f]
 template <class Function>
 double integral(const Function& f, double a, double b) {
     static const GaussRule rule = gauss_rule(32, -1, 1);
