@@ -49,8 +49,7 @@ std::string counts(const std::vector<std::string>& files) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Decides every claim of a paper by its computation, under both conventions that the print leaves "
-        "open. It runs in the top folder.",
+        "Decides every claim of a paper by its computation, under both conventions that the print leaves open. It runs in the top folder.",
         "claims", "Example: claims --paper asprone2010 --output /tmp/claims.csv");
     std::string paper = "asprone2010", claims = "paper/claims.csv", output;
     std::vector<std::string> decided;

@@ -97,9 +97,7 @@ report::Table leading_errors(const Lists& lists) {
     report::Table table;
     table.comments = {
         "Beyond Asprone et al. (2010): leading errors constant * delta^exponent * B^(exponent + derivative)",
-        "place: particles from the end x = 1, or interior; constant: of the stencil; measured: for exp, "
-        "quadruple precision, extrapolated from six spacings; amplification: sum of |weights| * "
-        "delta^derivative",
+        "place: particles from the end x = 1, or interior; constant: of the stencil; measured: for exp, quadruple precision, extrapolated from six spacings; amplification: sum of |weights| * delta^derivative",
         "empty where the neighbourhood has too few particles"};
     table.columns = {{"formulation"},
                      {"kernel"},
@@ -120,9 +118,7 @@ report::Table leading_errors(const Lists& lists) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Leading errors C delta^p of D and D2 on particles at equal distances, from the formulations' "
-        "stencils, "
-        "at the end of the line and inside; beside them, what exp shows in quadruple precision.",
+        "Leading errors C delta^p of D and D2 on particles at equal distances, from the formulations' stencils, at the end of the line and inside; beside them, what exp shows in quadruple precision.",
         "constants",
         "Example: constants --formulation second_order_fpm --kernel quintic_spline --smoothing 1,1.5");
     Lists lists;

@@ -62,9 +62,7 @@ report::Table percentiles(const Draws& draws) {
     command_line::check_line(draws.particles, particles::support<double>(how.kernel) * how.smoothing);
     report::Table table;
     table.comments = {
-        "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section "
-        "5.2) "
-        "over seeds 1 to " +
+        "Beyond Asprone et al. (2010): percentiles of the errors of DB, D2B (Section 5.1) and u (Section 5.2) over seeds 1 to " +
             std::to_string(draws.seeds),
         std::to_string(draws.particles) + " particles, perturbed by " + base::shown(draws.perturbation) +
             " delta, kernel gaussian, h/delta 1, volumes equal"};
@@ -83,8 +81,7 @@ report::Table percentiles(const Draws& draws) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "The distribution of the errors of DB, D2B and u for exp over many draws of perturbed particles: "
-        "percentiles.",
+        "The distribution of the errors of DB, D2B and u for exp over many draws of perturbed particles: percentiles.",
         "draws", "Example: draws --formulation modified_fpm,second_order_fpm --particles 160 --seeds 1000");
     Draws draws;
     int threads = 0;

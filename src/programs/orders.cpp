@@ -100,12 +100,9 @@ std::vector<report::Cell> row(const Square& square, unsigned long seeds) {
 report::Table map_of_orders(const Range& range) {
     report::Table table;
     table.comments = {
-        "Beyond Asprone et al. (2010): orders of the errors of DB, D2B (Section 5.1) and u (Section 5.2) "
-        "between "
-        "161, 321 and 641 particles, volumes equal",
+        "Beyond Asprone et al. (2010): orders of the errors of DB, D2B (Section 5.1) and u (Section 5.2) between 161, 321 and 641 particles, volumes equal",
         "perturbed particles: medians over seeds 1 to " + std::to_string(range.seeds),
-        "constant: error at 641 particles over delta to the rounded order; empty where it cannot be "
-        "computed"};
+        "constant: error at 641 particles over delta to the rounded order; empty where it cannot be computed"};
     table.columns = {{"formulation"},
                      {"kernel"},
                      {"smoothing"},
@@ -125,9 +122,7 @@ report::Table map_of_orders(const Range& range) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Map of orders: the observed order of the errors of DB, D2B and u for exp, by formulation, kernel "
-        "and "
-        "h/delta, on equidistant and on perturbed particles.",
+        "Map of orders: the observed order of the errors of DB, D2B and u for exp, by formulation, kernel and h/delta, on equidistant and on perturbed particles.",
         "orders", "Example: orders --from 0.8 --to 2 --step 0.05 --output orders.csv");
     Range range;
     int threads = 0;

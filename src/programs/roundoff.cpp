@@ -101,9 +101,7 @@ std::vector<report::Cell> row(const Case& line) {
 report::Table errors(const Choice& choice) {
     report::Table table;
     table.comments = {
-        "Beyond Asprone et al. (2010), Section 5.1: error of D2B for B = exp, measured and predicted from "
-        "the "
-        "stencil at x = 1, kernel gaussian, h/delta 1, volumes equal",
+        "Beyond Asprone et al. (2010), Section 5.1: error of D2B for B = exp, measured and predicted from the stencil at x = 1, kernel gaussian, h/delta 1, volumes equal",
         "predicted: truncation C delta^p, round-off sum of |weights| * e * epsilon / 2 / delta^2"};
     for (const std::string& formulation : choice.formulations)
         for (const std::string& line : best_errors(formulation)) table.comments.push_back(line);
@@ -122,9 +120,7 @@ report::Table errors(const Choice& choice) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "The smallest error that each precision can reach: measured errors of D2B for exp, beside the "
-        "truncation "
-        "and the round-off that the stencil at the end predicts.",
+        "The smallest error that each precision can reach: measured errors of D2B for exp, beside the truncation and the round-off that the stencil at the end predicts.",
         "roundoff", "Example: roundoff --formulation second_order_fpm --most 1000000 --most-quad 100000");
     Choice choice;
     int threads = 0;

@@ -95,13 +95,10 @@ report::Table weights(const command_line::Options& options, long particle) {
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "One particle's weights for D and D2, in units of 1/delta and 1/delta^2, their moments, and the "
-        "terms of "
-        "Taylor's expansion that they get wrong.",
+        "One particle's weights for D and D2, in units of 1/delta and 1/delta^2, their moments, and the terms of Taylor's expansion that they get wrong.",
         "stencil",
         "Example: stencil --formulation modified_fpm --particle 0\n"
-        "Another: stencil --formulation second_order_fpm --particles 20 --particle 3 --perturb 0.25 --seed "
-        "7");
+        "Another: stencil --formulation second_order_fpm --particles 20 --particle 3 --perturb 0.25 --seed 7");
     command_line::Options options;
     options.particles = {50};
     command_line::add_options(app, options);

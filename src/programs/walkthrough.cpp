@@ -35,8 +35,7 @@ void write_pages(const std::string& folder, const std::vector<Reproduction>& all
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Writes the generated pages of the walkthrough, the verdicts of README.md and the table of "
-        "doc/reproduction.md. It runs in the top folder.",
+        "Writes the generated pages of the walkthrough, the verdicts of README.md and the table of doc/reproduction.md. It runs in the top folder.",
         "walkthrough", "Example: walkthrough --pages build/doc/pages");
     std::string pages, readme = "README.md", reproduction = "doc/reproduction.md";
     bool write = false, check = false;

@@ -213,18 +213,14 @@ std::vector<Reproduction> reproductions() {
 
 std::string equation_page(const std::vector<Reproduction>& all) {
     std::string page =
-        "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, "
-        "the tests that name it, and the verdicts on what the paper claims about it.\n";
+        "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, the tests that name it, and the verdicts on what the paper claims about it.\n";
     for (const Reproduction& reproduction : all) page += equations_of(reproduction);
     return page;
 }
 
 std::string claims_page(const std::vector<Reproduction>& all) {
     std::string page =
-        "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in "
-        "our words. Each verdict is computed: the statement is compared with what was measured under two "
-        "conventions between which the print does not decide. The name of a claim leads to the tests of its "
-        "subject.\n\n";
+        "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in our words. Each verdict is computed: the statement is compared with what was measured under two conventions between which the print does not decide. The name of a claim leads to the tests of its subject.\n\n";
     for (const Reproduction& reproduction : all) page += claims_of(reproduction);
     return page;
 }

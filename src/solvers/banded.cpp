@@ -2,7 +2,6 @@
 
 #include <lapacke.h>
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include "base/parallel.hpp"
 #include "base/quad.hpp"
 #include "base/text.hpp"
+#include "solvers/sparse_lu.hpp"
 
 namespace solvers {
 
@@ -36,9 +36,9 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Sca
         }
         scale[i] = 1 / largest;
         if (!finite || !isfinite(scale[i]))
-            throw base::FailedComputation("row " + std::to_string(i) +
-                                          " of the linear system is zero or not finite; take another "
-                                          "smoothing length or other particles");
+            throw base::FailedComputation(
+                "row " + std::to_string(i) +
+                " of the linear system is zero or not finite; take another smoothing length or other particles");
     });
     return scale;
 }
@@ -54,21 +54,21 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Sca
 /// Eigen's sparse factorisation of the scaled matrix.
 template <class Scalar>
 struct BandedFactors<Scalar>::Library {
-    using Numbers = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    using Columns = typename SparseLU<Scalar>::Matrix;
+    using Numbers = typename SparseLU<Scalar>::Vector;
 
     Eigen::Index N;
     Scalar norm = Scalar(0);
-    Eigen::SparseLU<Eigen::SparseMatrix<Scalar>, Eigen::NaturalOrdering<int>> factors;
+    SparseLU<Scalar> factors;
 
-    Library(const Matrix& A, const Vector& scale) : N(A.rows()) {
-        const Eigen::SparseMatrix<Scalar> scaled = scale.matrix().asDiagonal() * A;
+    Library(const Matrix& A, const Vector& scale) : Library(Columns(scale.matrix().asDiagonal() * A)) {}
+    explicit Library(const Columns& scaled) : N(scaled.rows()), factors(scaled) {
         for (Eigen::Index j = 0; j < scaled.cols(); ++j)
             norm = std::max<Scalar>(norm, scaled.col(j).cwiseAbs().sum());
-        factors.compute(scaled);
-        if (factors.info() != Eigen::Success) refuse(N, 0);
+        if (!factors.succeeded()) refuse(N, 0);
     }
 
-    [[nodiscard]] Vector solve(const Vector& b) const { return factors.solve(b.matrix().eval()).array(); }
+    [[nodiscard]] Vector solve(const Vector& b) const { return factors.solve(b.matrix()).array(); }
 
     /// Hager's estimate of ‖A⁻¹‖ in the 1-norm, with Higham's alternating vector beside it, as in LAPACK's
     /// dlacn2.
@@ -80,7 +80,7 @@ struct BandedFactors<Scalar>::Library {
             if (!y.allFinite()) return std::numeric_limits<Scalar>::infinity();
             estimate = std::max<Scalar>(estimate, y.cwiseAbs().sum());
             const Numbers signs = y.unaryExpr([](const Scalar& entry) { return Scalar(entry < 0 ? -1 : 1); });
-            const Numbers z = factors.transpose().solve(signs);
+            const Numbers z = factors.solve_transposed(signs);
             Eigen::Index j = 0;
             if (z.cwiseAbs().maxCoeff(&j) <= z.dot(x)) break;
             x = Numbers::Unit(N, j);

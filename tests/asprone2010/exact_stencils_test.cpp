@@ -232,9 +232,7 @@ double difference(const Operator<double>& D, const std::vector<Rational>& exact,
 }  // namespace
 
 TEST_CASE(
-    "exact stencils: (11), (16), (20), (25), (30), (36) and (43) in exact rationals give the weights of D "
-    "and D², at "
-    "the end, beside it and inside") {
+    "exact stencils: (11), (16), (20), (25), (30), (36) and (43) in exact rationals give the weights of D and D², at the end, beside it and inside") {
     const std::size_t N = 17;
     const std::vector<std::size_t> rows{0, 1, N / 2};
     for (const Pieces& kernel : polynomial_kernels())

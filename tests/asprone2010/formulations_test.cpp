@@ -44,15 +44,14 @@ TEST_CASE("formulations: names are those of the papers' tables, each once, in th
     CHECK(names == std::vector<std::string_view>{"original", "chen_beraun", "rkpm_first_order",
                                                  "rkpm_second_order", "fpm", "modified_fpm",
                                                  "second_order_fpm"});
-    CHECK_THROWS_WITH_AS(formulation_named<double>("sph"),
-                         "there is no formulation 'sph'; choose one of original, chen_beraun, "
-                         "rkpm_first_order, rkpm_second_order, fpm, modified_fpm, second_order_fpm",
-                         base::InvalidInput);
+    CHECK_THROWS_WITH_AS(
+        formulation_named<double>("sph"),
+        "there is no formulation 'sph'; choose one of original, chen_beraun, rkpm_first_order, rkpm_second_order, fpm, modified_fpm, second_order_fpm",
+        base::InvalidInput);
 }
 
 TEST_CASE(
-    "formulations: polynomials up to the order are exact on random particles, with every kernel, and no "
-    "further") {
+    "formulations: polynomials up to the order are exact on random particles, with every kernel, and no further") {
     for (const auto& [name, first, second] : exactness)
         particles::for_each_kernel(
             [&, name = name, first = first, second = second](const particles::Kernel& kernel) {
@@ -73,8 +72,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "formulations: the number of particles that each states suffices, and with one fewer there is no second "
-    "derivative") {
+    "formulations: the number of particles that each states suffices, and with one fewer there is no second derivative") {
     for (const auto& formulation : formulations<double>()) {
         CAPTURE(formulation.name);
         const auto [line, smoothing] =

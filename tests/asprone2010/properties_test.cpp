@@ -269,8 +269,7 @@ constexpr Index few = 6, many = 80;
 }  // namespace
 
 TEST_CASE(
-    "properties: the bound of a row's round-off is small beside its weights, so that the tests below can "
-    "fail") {
+    "properties: the bound of a row's round-off is small beside its weights, so that the tests below can fail") {
     for_each_case(few, many, [](const Case& sample, const Formulation<double>& formulation) {
         const Computed computed(sample, formulation);
         CHECK((computed.D_error / computed.D.cwiseAbs().rowwise().sum().array()).maxCoeff() < 1e-6);

@@ -48,8 +48,7 @@ TEST_CASE("(4) tends to (2) as δ/h → 0") {
 }
 
 TEST_CASE(
-    "claim A-2-integral: on the uniform lattice with h = δ the Gaussian's discrete integral is 1.0001, not "
-    "1") {
+    "claim A-2-integral: on the uniform lattice with h = δ the Gaussian's discrete integral is 1.0001, not 1") {
     const auto [line, smoothing] = support::particles_of(100);
     const double sum = value(particles::neighbourhood(line, smoothing, 50)).sum();
     CHECK(sum == support::relative(1 + 2 * std::exp(-std::pow(std::acos(-1.0), 2)), 1e-9));

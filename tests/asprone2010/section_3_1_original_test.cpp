@@ -49,8 +49,7 @@ TEST_CASE("(9) holds inside and fails at the ends") {
 }
 
 TEST_CASE(
-    "claims A-3.1-equivalent-inside, A-3.1-constants: (7) and (10) agree where (9) holds, and (10) is exact "
-    "on constants everywhere") {
+    "claims A-3.1-equivalent-inside, A-3.1-constants: (7) and (10) agree where (9) holds, and (10) is exact on constants everywhere") {
     CHECK(first_derivative(Wave::B, at(0.5)) ==
           support::relative(interior_derivative(Wave::B, at(0.5)), 1e-12));
     for (const double x : {0.0, 0.01, 1.0}) {
@@ -77,8 +76,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "claim A-3.2-original-inside: inside, (11) with h = δ stalls at the relative error of its missing "
-    "denominator, 0.998") {
+    "claim A-3.2-original-inside: inside, (11) with h = δ stalls at the relative error of its missing denominator, 0.998") {
     const auto [line, smoothing] = support::particles_of(200);
     const auto [r, W, DW, V] = particles::neighbourhood(line, smoothing, 100);
     const double denominator = -(r * DW * V).sum();

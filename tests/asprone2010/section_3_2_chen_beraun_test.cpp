@@ -71,8 +71,7 @@ TEST_CASE("(19): the exact second derivative is the quotient minus the remainder
 }
 
 TEST_CASE(
-    "claim A-3.2-D2B-at-end: (19) is first order at an end with the exact DB; with DB from (15) its error "
-    "tends to a constant") {
+    "claim A-3.2-D2B-at-end: (19) is first order at an end with the exact DB; with DB from (15) its error tends to a constant") {
     const auto with_exact = [](const CentredKernel& W_i) {
         return second_derivative(Wave::B, Wave::DB(W_i.x), W_i) - Wave::D2B(W_i.x);
     };

@@ -58,8 +58,7 @@ TEST_CASE("the discrete moments of the discrete kernels are 1, 0 and 1, 0, 0 on 
 }
 
 TEST_CASE(
-    "claims A-3.3-B-*: (21) errs by O(h²) with the first-order kernel, by O(h³) with the second-order one, "
-    "O(h⁴) inside") {
+    "claims A-3.3-B-*: (21) errs by O(h²) with the first-order kernel, by O(h³) with the second-order one, O(h⁴) inside") {
     const auto first = [](const CentredKernel& W_i) {
         return value(Wave::B, corrected<0, 1>(W_i)) - Wave::B(W_i.x);
     };
@@ -130,8 +129,7 @@ TEST_CASE("(22): two particles do not determine a quadratic correction") {
 }
 
 TEST_CASE(
-    "(25) with moments imposed on integrals: inside, with a wide Gaussian, the weights are those of the "
-    "sums") {
+    "(25) with moments imposed on integrals: inside, with a wide Gaussian, the weights are those of the sums") {
     const auto [line, smoothing] =
         support::particles_of(60, {particles::Volumes::partition, particles::Gaussian{}, 2});
     const Operator<double> first = first_derivative_by_integrals<0, 1>(line, smoothing),

@@ -92,8 +92,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "claims A-3.4-*-at-end, A-3.4-DB-inside: B converges with order 2 everywhere, DB with 2 inside and 1 at "
-    "the boundary, as sums with h = δ") {
+    "claims A-3.4-*-at-end, A-3.4-DB-inside: B converges with order 2 everywhere, DB with 2 inside and 1 at the boundary, as sums with h = δ") {
     std::vector<double> spacing, B, DB_end, DB_inside;
     for (const Index N : {161, 321, 641, 1281}) {
         const auto [line, smoothing] = support::particles_of(N);
@@ -117,9 +116,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "claim A-3.4-applied-twice: applied twice, the error of eˣ tends to a constant: 1.29 with equal volumes, "
-    "1.03 with the "
-    "partition") {
+    "claim A-3.4-applied-twice: applied twice, the error of eˣ tends to a constant: 1.29 with equal volumes, 1.03 with the partition") {
     const auto error = [](particles::Volumes volumes) {
         const auto [line, smoothing] = support::particles_of(1280, {volumes});
         const auto D2 = formulation_named<double>("fpm").operators(line, smoothing).D2;

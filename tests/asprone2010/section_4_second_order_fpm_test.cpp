@@ -63,8 +63,7 @@ TEST_CASE("(42): the same moments as sums, on random particles") {
 }
 
 TEST_CASE(
-    "claims A-4-cubic-regular, A-4-quadratic-singular: with the cubic (42) is regular for every particle; "
-    "with a quadratic it is singular inside") {
+    "claims A-4-cubic-regular, A-4-quadratic-singular: with the cubic (42) is regular for every particle; with a quadratic it is singular inside") {
     const auto [line, smoothing] = support::particles_of(100);
     for (Index i = 0; i < 100; ++i) {
         const auto near = particles::neighbourhood(line, smoothing, i);

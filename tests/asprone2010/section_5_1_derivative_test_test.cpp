@@ -45,9 +45,7 @@ TEST_CASE("5.1: errors for eˣ with 1280 particles are those of an independent c
 }
 
 TEST_CASE(
-    "claims A-5.1-*: original, both RKPMs and Chen–Beraun do not converge, modified FPM is first and "
-    "second-order FPM "
-    "second order") {
+    "claims A-5.1-*: original, both RKPMs and Chen–Beraun do not converge, modified FPM is first and second-order FPM second order") {
     for (const auto volumes : {Volumes::equal, Volumes::partition}) {
         const numerical_tests::Discretisation how{volumes};
         for (const char* name : {"original", "rkpm_first_order", "rkpm_second_order"})
@@ -70,8 +68,7 @@ TEST_CASE("5.1: the first derivative converges with the orders of Sections 3 and
 }
 
 TEST_CASE(
-    "claims A-3.2-*-inside, A-3.4-DB-inside, A-3.5-*-inside: inside, the corrected formulations are second "
-    "order on uniform particles") {
+    "claims A-3.2-*-inside, A-3.4-DB-inside, A-3.5-*-inside: inside, the corrected formulations are second order on uniform particles") {
     for (const char* name : {"chen_beraun", "modified_fpm", "second_order_fpm"}) {
         CHECK(order(name, fine, first_interior) == support::relative(2, 0.01));
         CHECK(order(name, fine, second_interior) == support::relative(2, 0.01));
@@ -80,8 +77,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "claim A-5.1-perturbed: on perturbed particles the second-order FPM keeps order two in the median over "
-    "seeds") {
+    "claim A-5.1-perturbed: on perturbed particles the second-order FPM keeps order two in the median over seeds") {
     std::vector<double> spacing, median;
     for (const Index N : {80, 160, 320, 640}) {
         std::vector<double> sample;

@@ -40,8 +40,7 @@ TEST_CASE("5.2: the exact solution satisfies (45) and both end conditions") {
 }
 
 TEST_CASE(
-    "5.2: the system holds u at the first, −D²u at the inner, Du at the last particle, and the load beside "
-    "them") {
+    "5.2: the system holds u at the first, −D²u at the inner, Du at the last particle, and the load beside them") {
     const auto [line, smoothing] = particles_of(30);
     const auto operators = formulation_named<double>("second_order_fpm").operators(line, smoothing);
     auto D2 = operators.D2;
@@ -93,8 +92,7 @@ TEST_CASE("5.2: errors with 640 particles are those of an independent calculatio
 }
 
 TEST_CASE(
-    "claims A-5.2-*: both FPMs are second order, Chen–Beraun is first, original and both RKPMs do not "
-    "converge") {
+    "claims A-5.2-*: both FPMs are second order, Chen–Beraun is first, original and both RKPMs do not converge") {
     for (const auto volumes : {Volumes::equal, Volumes::partition}) {
         CHECK(order("second_order_fpm", {160, 320, 640, 1280}, volumes) ==
               support::relative(expected("A-5.2-second-order-fpm"), 0.02));
@@ -111,8 +109,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "claims A-5.2-few-*: original and first-order RKPM look first order for few particles and lose it with "
-    "more") {
+    "claims A-5.2-few-*: original and first-order RKPM look first order for few particles and lose it with more") {
     for (const char* name : {"original", "rkpm_first_order"}) {
         CHECK(order(name, {20, 40, 80, 160}) == support::relative(expected("A-5.2-few-original"), 0.1));
         CHECK(order(name, {640, 1280, 2560}) < 0.3);
@@ -121,8 +118,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "5.2: a second-order derivative at the end leaves Chen–Beraun first order, with a thirtieth of the "
-    "error") {
+    "5.2: a second-order derivative at the end leaves Chen–Beraun first order, with a thirtieth of the error") {
     const auto with_end = [](Index N) {
         return static_test::error(formulation_named<double>("chen_beraun"),
                                   formulation_named<double>("second_order_fpm"), particles_of(N),
@@ -139,8 +135,7 @@ TEST_CASE("claim A-5.2-errs-less: the second-order FPM errs five times less than
 }
 
 TEST_CASE(
-    "claim A-5.2-perturbed: on perturbed particles the second-order FPM keeps order two in the median over "
-    "seeds") {
+    "claim A-5.2-perturbed: on perturbed particles the second-order FPM keeps order two in the median over seeds") {
     std::vector<double> spacing, median;
     for (const Index N : {40, 80, 160, 320, 640, 1280}) {
         std::vector<double> sample;

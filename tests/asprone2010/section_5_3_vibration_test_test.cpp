@@ -71,10 +71,7 @@ TEST_CASE("(46): K is D² without the rows and columns of the ends") {
 }
 
 TEST_CASE(
-    "claims A-5.3-end-conditions, A-5.3-printed-47: sin(ωX) cos(ωt) with ω = πn satisfies (47), (48), (49), "
-    "(50) and (51) with our signs; with the "
-    "printed sign (47) "
-    "leaves −2ω²x") {
+    "claims A-5.3-end-conditions, A-5.3-printed-47: sin(ωX) cos(ωt) with ω = πn satisfies (47), (48), (49), (50) and (51) with our signs; with the printed sign (47) leaves −2ω²x") {
     for (const Index n : {1, 2, 7}) {
         const double omega = exact_frequency(n), X = 0.3, t = 0.11, step = 1e-4;
         CHECK(std::abs(mode(omega, 1)) < 1e-14);
@@ -107,8 +104,7 @@ TEST_CASE("5.3: ratios with 100 particles are those of an independent calculatio
 }
 
 TEST_CASE(
-    "claims A-5.3-lowest-*, A-5.3-decrease-*: original and RKPM spectra underestimate even the lowest mode "
-    "and fall rapidly") {
+    "claims A-5.3-lowest-*, A-5.3-decrease-*: original and RKPM spectra underestimate even the lowest mode and fall rapidly") {
     for (const auto volumes : {particles::Volumes::equal, particles::Volumes::partition}) {
         for (const char* name : {"original", "rkpm_first_order"}) {
             CHECK(ratios(name, volumes).front() < 0.7);
@@ -126,9 +122,7 @@ TEST_CASE("claim A-5.3-original-overlaps: the spectra of original and first-orde
 }
 
 TEST_CASE(
-    "claims A-5.3-fpm-overlap, A-5.3-low-frequencies, A-5.3-finite-elements: Chen–Beraun, modified and "
-    "second-order FPM overlap, predict low modes well and resemble lumped "
-    "FEM") {
+    "claims A-5.3-fpm-overlap, A-5.3-low-frequencies, A-5.3-finite-elements: Chen–Beraun, modified and second-order FPM overlap, predict low modes well and resemble lumped FEM") {
     const auto chen_beraun = ratios("chen_beraun"), modified = ratios("modified_fpm"),
                second_order = ratios("second_order_fpm");
     CHECK(largest_difference(chen_beraun, modified) < 1e-3);

@@ -25,10 +25,9 @@ std::string refusal(const Work& work) {
 TEST_CASE("basis_at: too few particles are refused with place and numbers, and the remedy works") {
     const Points<2> grid = support::grid_points<2>(5);
     const Point<2> at_side(0, 0.5);
-    CHECK(refusal([&] { support::bases(2, grid, 1.2, at_side, 0.25); }) ==
-          "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; "
-          "try "
-          "--scaling 2.1");  // six particles in two columns, within 1.5h, do not suffice
+    CHECK(
+        refusal([&] { support::bases(2, grid, 1.2, at_side, 0.25); }) ==
+        "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; try --scaling 2.1");  // six particles in two columns, within 1.5h, do not suffice
     CHECK_NOTHROW(support::bases(2, grid, 2.1, at_side, 0.25));
     int refused = 0;
     support::for_each_dimension_and_degree([&](int dim, int m) {
@@ -52,21 +51,17 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {
     CHECK_THROWS_WITH_AS(
         support::bases(2, support::random_points<2>(5, 1), 1000, Point<2>(0.5, 0.25), 0.1),
-        "ssph_basis: at (0.5, 0.25) there are 5 particles within 1000h = 100 for the 6 monomials "
-        "of degree 2; take at least 6 particles",
+        "ssph_basis: at (0.5, 0.25) there are 5 particles within 1000h = 100 for the 6 monomials of degree 2; take at least 6 particles",
         base::FailedComputation);
 }
 
 TEST_CASE(
-    "basis_at: particles on a conic do not determine the monomials; no scaling factor helps, another "
-    "particle does") {
+    "basis_at: particles on a conic do not determine the monomials; no scaling factor helps, another particle does") {
     const Points<2> on_circle = support::circle(12, 1, {0, 0});
     const Point<2> x(0.2, 0);
     const std::string why = refusal([&] { support::bases(2, on_circle, 4, x, 0.5); });
-    CHECK(
-        why.starts_with("ssph_basis: at (0.2, 0) there are 12 particles within 4h = 2 for the 6 monomials of "
-                        "degree 2, which they do not determine: the local system is singular (reciprocal "
-                        "condition "));
+    CHECK(why.starts_with(
+        "ssph_basis: at (0.2, 0) there are 12 particles within 4h = 2 for the 6 monomials of degree 2, which they do not determine: the local system is singular (reciprocal condition "));
     CHECK(why.ends_with("); take other particles"));
     CHECK_NOTHROW(support::bases(1, on_circle, 4, x, 0.5));
     Points<2> with_another(2, 13);

@@ -156,8 +156,7 @@ TEST_CASE("properties: K gives a monomial's own entry of Q and no other; rows fo
 }
 
 TEST_CASE(
-    "properties: on mirrored particles K changes its sign with the derivatives that are odd in that "
-    "direction") {
+    "properties: on mirrored particles K changes its sign with the derivatives that are odd in that direction") {
     for_each_case([](const Case& given, const Bases& bases) {
         const Eigen::ArrayXXd error = round_off(given, bases);
         for (Index axis = 0; axis < given.dim; ++axis) {
@@ -172,8 +171,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "properties: a times the length divides K by a to the order of the derivative; a power of two changes no "
-    "bit") {
+    "properties: a times the length divides K by a to the order of the derivative; a power of two changes no bit") {
     for_each_case([](const Case& given, const Bases& bases) {
         const auto unstretched = [&](const Bases& stretched, double a) {
             Eigen::ArrayXXd K = in_order_of(bases, stretched);

@@ -305,8 +305,7 @@ TEST_CASE("(2.15): the derivatives of polynomials of degree m, in the plane by p
 }
 
 TEST_CASE(
-    "(2.15): the error of a derivative of order k falls with h to the power m + 1 - k, inside and at an "
-    "edge") {
+    "(2.15): the error of a derivative of order k falls with h to the power m + 1 - k, inside and at an edge") {
     // A pattern of irregular particles around a place shrinks; the print claims one order less.
     const std::vector<double> lengths{0.01, 0.005, 0.0025, 0.00125};
     support::for_each_dimension_and_degree([&](int dim, int m) {
@@ -341,8 +340,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "(2.16): the differentiated basis functions are the slopes of the basis functions of all of Q, by finite "
-    "differences") {
+    "(2.16): the differentiated basis functions are the slopes of the basis functions of all of Q, by finite differences") {
     support::for_each_dimension_and_degree([](int dim, int m) {
         const support::Irregular irregular(dim);
         int compared = 0;
@@ -395,8 +393,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "ssph_basis: basis functions sum to one and their slopes to zero, and are not one at their own "
-    "particle") {
+    "ssph_basis: basis functions sum to one and their slopes to zero, and are not one at their own particle") {
     const support::Irregular irregular(3);
     const auto [particle, exponents, K, slopes] = irregular.at(2, irregular.x.col(200));
     CHECK(K.col(0).sum() == support::relative(1, 1e-13));
@@ -425,8 +422,7 @@ TEST_CASE("ssph_basis: the condition of C depends neither on h nor on the unit o
 }
 
 TEST_CASE(
-    "ssph_basis: the condition of C is the ratio of the outermost eigenvalues, on a grid at most 101 with ρ "
-    "= 3") {
+    "ssph_basis: the condition of C is the ratio of the outermost eigenvalues, on a grid at most 101 with ρ = 3") {
     const Cloud<2> grid(support::grid_points<2>(9));
     double worst = 0;
     for (Index j = 0; j < grid.size(); ++j) {

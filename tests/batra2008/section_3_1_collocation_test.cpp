@@ -116,9 +116,7 @@ TEST_CASE("collocation: the nearest particles are some of the support, at least 
 }
 
 TEST_CASE(
-    "collocation: by iteration and by factorisation a plate's and a hole's displacements agree to 1e-9, on "
-    "any "
-    "number of threads") {
+    "collocation: by iteration and by factorisation a plate's and a hole's displacements agree to 1e-9, on any number of threads") {
     struct Example {
         Problem problem;
         Points<2> x;

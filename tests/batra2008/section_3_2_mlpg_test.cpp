@@ -57,8 +57,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "(3.16), (3.17): the divergence theorem carries the one into the other, the closer the more Gauss "
-    "points") {
+    "(3.16), (3.17): the divergence theorem carries the one into the other, the closer the more Gauss points") {
     const double alpha = 1e12;
     for (const Point<2>& x : places) {
         CAPTURE(x);
@@ -150,8 +149,7 @@ TEST_CASE("(3.20): (LM)ᵀ D strains are stresses on the gradient of W, N σ is 
 }
 
 TEST_CASE(
-    "(3.21), (3.26): both gradients are exact for displacements of degree m, and times T gives the "
-    "stresses") {
+    "(3.21), (3.26): both gradients are exact for displacements of degree m, and times T gives the stresses") {
     const support::PolynomialField quadratic{material};
     const Cloud<2> cloud(support::moved_grid(16, 4, 0.2, 5));
     const Point<2> x(0.41, 0.09);
@@ -197,8 +195,7 @@ TEST_CASE("(3.25): the derivatives of all basis functions, against central diffe
 }
 
 TEST_CASE(
-    "(3.22), (3.23), (3.24): stiffness times a field of degree m is the load, to what the Gauss rule "
-    "leaves") {
+    "(3.22), (3.23), (3.24): stiffness times a field of degree m is the load, to what the Gauss rule leaves") {
     const Problem problem = support::plate_with({material});
     const Cloud<2> cloud(plate::grid(16, 4));
     Eigen::VectorXd u(2 * cloud.size());
@@ -216,8 +213,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "mlpg: displacements of degree m are reproduced to what the Gauss rule leaves, on the plate's grid "
-    "1e-8") {
+    "mlpg: displacements of degree m are reproduced to what the Gauss rule leaves, on the plate's grid 1e-8") {
     for (const Method method : {Method::weak1, Method::weak2})
         for (const int degree : {2, 3}) {
             CAPTURE(example_problems::name(method));

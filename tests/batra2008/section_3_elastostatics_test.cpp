@@ -13,8 +13,7 @@ const Point<2> somewhere(0.4, 0.13);
 }  // namespace
 
 TEST_CASE(
-    "(3.1): a polynomial displacement is in equilibrium with the force that it needs, by finite "
-    "differences") {
+    "(3.1): a polynomial displacement is in equilibrium with the force that it needs, by finite differences") {
     const support::PolynomialField field{strained, true};
     const double step = 1e-4;
     Eigen::Matrix<double, 3, 2> gradient;

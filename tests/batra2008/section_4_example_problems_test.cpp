@@ -20,8 +20,7 @@ TEST_CASE("(4.4): the two readings of the error norm, for fields whose norms are
 }
 
 TEST_CASE(
-    "example_problems: the background mesh integrates polynomials of degree 7 exactly, on a mapped body "
-    "too") {
+    "example_problems: the background mesh integrates polynomials of degree 7 exactly, on a mapped body too") {
     const auto identity = background_mesh(
         2, 3, [](const Point<2>& at) { return at; }, [](const Point<2>&) { return 1.0; });
     CHECK(identity.size() == 2 * 2 * 3 * 13);
@@ -63,8 +62,8 @@ TEST_CASE("example_problems: too small a support is an error with place, counts 
     const Cloud<2> cloud(plate::grid(16, 4));
     CHECK_THROWS_WITH_AS(
         solve(problem, cloud, {Method::strong, 2}),
-        doctest::Contains("ssph_basis: at (0, 0) there are 4 particles within 2h = 0.133 for the 6 "
-                          "monomials of degree 2; try --scaling 2.5"),
+        doctest::Contains(
+            "ssph_basis: at (0, 0) there are 4 particles within 2h = 0.133 for the 6 monomials of degree 2; try --scaling 2.5"),
         base::FailedComputation);
     CHECK_NOTHROW(solve(problem, cloud, {Method::strong, 2.5}));
 }

@@ -54,11 +54,8 @@ report::Table table(const std::map<std::string, double>& nanoseconds, const std:
     };
     report::Table of;
     of.comments = {
-        "nanoseconds per particle, the least of the repetitions, with the system's clearing of the pages "
-        "that are written",
-        "limit_bandwidth: the bytes at the bandwidth of a triad loop, limit_exp: the exponentials at the "
-        "rate of a "
-        "vectorised loop, both measured in the same run with as many threads",
+        "nanoseconds per particle, the least of the repetitions, with the system's clearing of the pages that are written",
+        "limit_bandwidth: the bytes at the bandwidth of a triad loop, limit_exp: the exponentials at the rate of a vectorised loop, both measured in the same run with as many threads",
         "numbers of one machine: make bench measures them anew"};
     of.columns = {{"task"},
                   {"method"},

@@ -58,8 +58,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "claims: an id says paper and section, each id is given once, and none can be taken for an equation's "
-    "key") {
+    "claims: an id says paper and section, each id is given once, and none can be taken for an equation's key") {
     const report::Table claims = words_of("paper/claims.csv");
     const auto equations = set_of(column("paper/equations.csv", "equation"));
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {

@@ -106,8 +106,8 @@ TEST_CASE("kernels: each has a name of its own and is found by it") {
         CHECK(kernel_named(name(kernel)).index() == kernel.index());
     });
     CHECK(names.size() == 5);
-    CHECK_THROWS_WITH_AS(kernel_named("gauss"),
-                         "there is no kernel 'gauss'; choose one of gaussian, cubic_spline, quintic_spline, "
-                         "wendland_c2, wendland_c4",
-                         InvalidInput);
+    CHECK_THROWS_WITH_AS(
+        kernel_named("gauss"),
+        "there is no kernel 'gauss'; choose one of gaussian, cubic_spline, quintic_spline, wendland_c2, wendland_c4",
+        InvalidInput);
 }

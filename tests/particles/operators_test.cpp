@@ -65,8 +65,7 @@ TEST_CASE("operators: the same bytes on any number of threads") {
 }
 
 TEST_CASE(
-    "operators: particles computed together in a pack have the weights that each has alone, to 2e-12 of the "
-    "row's largest") {
+    "operators: particles computed together in a pack have the weights that each has alone, to 2e-12 of the row's largest") {
     const auto compare = [](const auto& rule, const Discretisation& how, const Requirement& required) {
         const auto discrete = particles_of(203, how);
         const auto& line = discrete.line;
@@ -186,9 +185,9 @@ TEST_CASE(
             error = failure.what();
         }
         CAPTURE(error);
-        CHECK(error.starts_with(std::string(name) +
-                                ": particle 0 (x = 0) has 4 neighbours within 6h (0 on the left, 3 on the "
-                                "right), but the local system is singular (reciprocal condition "));
+        CHECK(error.starts_with(
+            std::string(name) +
+            ": particle 0 (x = 0) has 4 neighbours within 6h (0 on the left, 3 on the right), but the local system is singular (reciprocal condition "));
         CHECK(error.ends_with("take a larger --smoothing or particles that lie farther apart"));
     }
 }
@@ -210,8 +209,7 @@ TEST_CASE("operators: a row without a stored diagonal entry is refused") {
 }
 
 TEST_CASE(
-    "operators: with an h for each particle, what was exact stays exact; an equal h for all changes "
-    "nothing") {
+    "operators: with an h for each particle, what was exact stays exact; an equal h for all changes nothing") {
     Column<double> x(40);
     for (Index j = 0; j < 40; ++j) x[j] = std::pow(1.08, static_cast<double>(j));
     const auto line = line_at<double>(x, Volumes::partition);

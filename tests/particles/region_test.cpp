@@ -160,8 +160,7 @@ TEST_CASE("region: parallel sides, a body within the disc, and a triangle") {
 }
 
 TEST_CASE(
-    "region: a disc that a hole cuts, from outside, with and without tangents, is its area without the "
-    "lens") {
+    "region: a disc that a hole cuts, from outside, with and without tangents, is its area without the lens") {
     const double b = 0.5;
     const Region region = with_hole(b);
     // Where the rays that touch the hole end as they do, at sqrt(b² + reach²) = 0.943, a narrow piece

@@ -23,17 +23,16 @@ std::string message(std::string_view formulation, Index N,
 }  // namespace
 
 TEST_CASE(
-    "requirement: too few neighbours are an error with formulation, particle, count and a remedy that "
-    "helps") {
+    "requirement: too few neighbours are an error with formulation, particle, count and a remedy that helps") {
     CHECK(message("second_order_fpm", 20, {Volumes::equal, CubicSpline{}, 1, 0}) ==
           "second_order_fpm: particle 0 (x = 0) has 2 neighbours within 2h, needs 4; try --smoothing 1.6");
     CHECK(message("second_order_fpm", 20, {Volumes::equal, CubicSpline{}, 1.6, 0}) == "no error");
     CHECK(message("chen_beraun", 20, {Volumes::equal, WendlandC2{}, 0.5, 0}) ==
           "chen_beraun: particle 0 (x = 0) has 1 neighbour within 2h, needs 3; try --smoothing 1.1");
     CHECK(message("chen_beraun", 20, {Volumes::equal, WendlandC2{}, 1.1, 0}) == "no error");
-    CHECK(message("second_order_fpm", 3, {}) ==
-          "second_order_fpm: particle 0 (x = 0) has 3 neighbours within 6h, needs 4; take at least 4 "
-          "particles");
+    CHECK(
+        message("second_order_fpm", 3, {}) ==
+        "second_order_fpm: particle 0 (x = 0) has 3 neighbours within 6h, needs 4; take at least 4 particles");
     CHECK(message("original", 2, {}) == "no error");
 }
 

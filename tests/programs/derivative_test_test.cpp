@@ -21,9 +21,8 @@ TEST_CASE(
     const auto [code, output, errors] = run("derivative_test --particles 10,20 --perturb 0,0.25 --seeds 2");
     CHECK(code == 0);
     CHECK(errors.empty());
-    CHECK(
-        without_comments(output).starts_with("formulation,particles,spacing,perturbation,seed,error_first,"
-                                             "error_second,error_first_interior,error_second_interior\n"));
+    CHECK(without_comments(output).starts_with(
+        "formulation,particles,spacing,perturbation,seed,error_first,error_second,error_first_interior,error_second_interior\n"));
     const auto table = report::parsed(output);
     CHECK(table.rows.size() == command_line::formulations().size() * 2 * (1 + 2));
 }

@@ -14,9 +14,9 @@ TEST_CASE("draws: percentiles increase, and the median is that of derivative_tes
     const std::size_t second = table.column("error_second");
     for (std::size_t row = 1; row < 101; ++row)
         CHECK(std::get<double>(table.rows[row][second]) >= std::get<double>(table.rows[row - 1][second]));
-    const auto other = report::parsed(run("derivative_test --formulation second_order_fpm --particles 40 "
-                                          "--perturb 0.25 --seeds 51 --median")
-                                          .output);
+    const auto other = report::parsed(
+        run("derivative_test --formulation second_order_fpm --particles 40 --perturb 0.25 --seeds 51 --median")
+            .output);
     CHECK(std::get<double>(table.rows[50][second]) ==
           relative(std::get<double>(other.rows[0][other.column("error_second")]), 1e-6));
 }

@@ -7,8 +7,7 @@ using programs::run;
 using support::relative;
 
 TEST_CASE(
-    "roundoff: measured errors lie between a fifth of the predicted round-off and the sum of both "
-    "predictions") {
+    "roundoff: measured errors lie between a fifth of the predicted round-off and the sum of both predictions") {
     const auto [code, output, errors] = run("roundoff --most 100000 --most-quad 1000");
     CHECK(code == 0);
     const auto table = report::parsed(output);

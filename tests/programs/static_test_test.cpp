@@ -42,18 +42,16 @@ TEST_CASE("static_test: the default's displacement, typed, gives the default's e
 }
 
 TEST_CASE("static_test: load and end values follow from --displacement") {
-    const auto [code, output, errors] =
-        run("static_test --displacement '3*x^2-x+2' --formulation second_order_fpm,modified_fpm,ssph "
-            "--particles 53");
+    const auto [code, output, errors] = run(
+        "static_test --displacement '3*x^2-x+2' --formulation second_order_fpm,modified_fpm,ssph --particles 53");
     CHECK(code == 0);
     CHECK(output.find("with u = 3*x^2-x+2\n") != std::string::npos);
     const auto table = report::parsed(output);
     REQUIRE(table.rows.size() == 3);
     for (const auto& row : table.rows) CHECK(std::get<double>(row.back()) < 1e-10);  // exact on parabolas
-    const auto sine =
-        report::parsed(run("static_test --displacement 'x*exp(-x)+sin(3*x)' --formulation second_order_fpm "
-                           "--particles 320,640")
-                           .output);
+    const auto sine = report::parsed(
+        run("static_test --displacement 'x*exp(-x)+sin(3*x)' --formulation second_order_fpm --particles 320,640")
+            .output);
     CHECK(std::get<double>(sine.rows[0].back()) / std::get<double>(sine.rows[1].back()) ==
           support::relative(4, 0.05));
 }

@@ -7,11 +7,9 @@ using programs::run;
 using support::relative;
 
 TEST_CASE(
-    "stencil: modified FPM at the end with a kernel that reaches two neighbours is the one-sided "
-    "difference") {
-    const auto [code, output, errors] =
-        run("stencil --formulation modified_fpm --particle 0 --particles 20 --kernel cubic_spline "
-            "--smoothing 1.2");
+    "stencil: modified FPM at the end with a kernel that reaches two neighbours is the one-sided difference") {
+    const auto [code, output, errors] = run(
+        "stencil --formulation modified_fpm --particle 0 --particles 20 --kernel cubic_spline --smoothing 1.2");
     CHECK(code == 0);
     const auto table = report::parsed(output);
     REQUIRE(table.rows.size() == 3);

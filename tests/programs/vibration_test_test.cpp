@@ -32,8 +32,7 @@ TEST_CASE("vibration_test: what it cannot compute is refused") {
 }
 
 TEST_CASE(
-    "vibration_test: --lowest gives the first of all modes where all are real or in pairs, signs and order "
-    "included") {
+    "vibration_test: --lowest gives the first of all modes where all are real or in pairs, signs and order included") {
     const std::string command =
         "vibration_test --formulation rkpm_second_order --particles 60 --perturb 0.25 --seed 7";
     const auto all = report::parsed(run(command).output),

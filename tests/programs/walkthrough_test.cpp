@@ -29,11 +29,11 @@ struct TwoPapers : programs::Folder {
               "A2,2,a sum,first/section_2_sums.hpp,first/sums_test.cpp\n"
               "B2.1,2.1,a basis,second/section_2_1_basis.hpp,second/basis_test.cpp\n"
               "B2.10,2.1,its order,second/section_2_1_basis.hpp,second/basis_test.cpp\n");
-        write("paper/claims.csv",
-              "id,old_id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n"
-              "A-2-sum,A01,2,2,(2) is exact and (2.1) a number,an error,<,1,0,a reason,first/sums_test.cpp\n"
-              "B-2-basis,B01,2,2.10,(2.1) is exact and (2.5) a number,an error,<,1,0,a reason,"
-              "second/basis_test.cpp\n");
+        write(
+            "paper/claims.csv",
+            "id,old_id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n"
+            "A-2-sum,A01,2,2,(2) is exact and (2.1) a number,an error,<,1,0,a reason,first/sums_test.cpp\n"
+            "B-2-basis,B01,2,2.10,(2.1) is exact and (2.5) a number,an error,<,1,0,a reason,second/basis_test.cpp\n");
         write("paper/items.csv",
               "paper,item,section,command,output,source\n"
               "first,Sums,2,make check,a.csv,a.hpp\nsecond,Basis,2,make check,b.csv,b.hpp\n");
@@ -122,9 +122,9 @@ TEST_CASE("walkthrough: pages are divided by paper, though sections have equal n
                     "\\anchor claim_A-2-sum ", "| 0.5 | 0.25 | A01 |", "## Second (1902)",
                     "### Section 2: 0 of 1 reproduced, 1 differs", "| dn | nd |", "| 1.5 | 1.25 |"}));
     CHECK(in_order(project.read("pages/choices.md"), {"## Second (1902)", "companion_second", "### error"}));
-    CHECK(in_order(project.read("README.md"),
-                   {"Of the papers' 2 testable statements, 1 are reproduced, 0 hold under a condition, and 1 "
-                    "differ."}));
+    CHECK(in_order(
+        project.read("README.md"),
+        {"Of the papers' 2 testable statements, 1 are reproduced, 0 hold under a condition, and 1 differ."}));
     CHECK(in_order(project.read("doc/reproduction.md"),
                    {"| Sums |", "[a.csv](../a.csv)", "1 of 1 reproduced", "| Basis |", "1 differs"}));
     for (const char* page : {"equations", "claims", "choices"})

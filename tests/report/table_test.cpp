@@ -21,9 +21,9 @@ Table example() {
 }  // namespace
 
 TEST_CASE("table: comments, tolerances, names, rows; digits follow the tolerance; empty cells stay empty") {
-    CHECK(csv(example()) ==
-          "# a title\n# tolerance of error: relative 0.001, absolute "
-          "1e-09\nname,count,error\nfirst,10,1.235e-05\nsecond,20,\n");
+    CHECK(
+        csv(example()) ==
+        "# a title\n# tolerance of error: relative 0.001, absolute 1e-09\nname,count,error\nfirst,10,1.235e-05\nsecond,20,\n");
 }
 
 TEST_CASE("table: what is written is parsed") {
@@ -129,8 +129,7 @@ TEST_CASE("table: numbers within the first table's tolerance agree, others and o
 
 TEST_CASE("table: the largest move is the one that takes most of its tolerance") {
     const Table a = parsed(
-        "# tolerance of u: relative 0, absolute 0.5\n# tolerance of v: relative 0.01, absolute "
-        "0\nu,v\n1,100\n2,200\n");
+        "# tolerance of u: relative 0, absolute 0.5\n# tolerance of v: relative 0.01, absolute 0\nu,v\n1,100\n2,200\n");
     Table b = a;
     CHECK(report::largest_move(a, b).by == 0);
     b.rows[0][0] = 1.125;

@@ -22,6 +22,5 @@ TEST_CASE("tally: verdicts are counted, in all or of a section, and said in thre
           "Of the papers' 12 testable statements, 9 are reproduced, 2 hold under a condition, and 1 differ.");
     CHECK(
         in_a_sentence({9, 2, 4, 1}) ==
-        "Of the papers' 16 testable statements, 9 are reproduced, 2 hold under a condition, and 4 differ; 1 "
-        "could not be decided.");
+        "Of the papers' 16 testable statements, 9 are reproduced, 2 hold under a condition, and 4 differ; 1 could not be decided.");
 }

@@ -130,16 +130,14 @@ TEST_CASE("banded: a singular system is reported, exactly and nearly singular on
     A.setFromTriplets(entries.begin(), entries.end());
     CHECK_THROWS_WITH_AS(
         solvers::solve_banded(A, Eigen::Array3d::Ones()),
-        "the linear system of 3 unknowns is singular (reciprocal condition 0); take another formulation or "
-        "other particles",
+        "the linear system of 3 unknowns is singular (reciprocal condition 0); take another formulation or other particles",
         base::FailedComputation);
     A.coeffRef(1, 1) = 4 * (1 + 3e-16);
     CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()), base::FailedComputation);
     A.coeffRef(1, 1) = std::nan("");
     CHECK_THROWS_WITH_AS(
         solvers::solve_banded(A, Eigen::Array3d::Ones()),
-        "row 1 of the linear system is zero or not finite; take another smoothing length or other "
-        "particles",
+        "row 1 of the linear system is zero or not finite; take another smoothing length or other particles",
         base::FailedComputation);
     A.coeffRef(1, 1) = 5;
     CHECK_THROWS_WITH_AS(solvers::solve_banded(A, Eigen::Array3d(1, std::nan(""), 1)),

@@ -1,0 +1,7 @@
+#include "solvers/sparse_lu.hpp"
+
+namespace solvers {
+
+template class SparseLU<base::Quad>;
+
+}  // namespace solvers
