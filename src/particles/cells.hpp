@@ -7,19 +7,11 @@
 #include <vector>
 
 #include "base/index.hpp"
-#include "particles/line.hpp"
+#include "particles/points.hpp"
 
 namespace particles {
 
 using base::Index;
-
-/// A position in the plane or in space.
-template <int dim, class Scalar = double>
-using Point = Eigen::Matrix<Scalar, dim, 1>;
-
-/// Positions, a column for each particle.
-template <int dim>
-using Points = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
 /// Particles sorted into a grid of equal cubes, about two particles to a cube. The time to find the particles
 /// near a place does not grow with their number. The cubes of a row are neighbours in memory.

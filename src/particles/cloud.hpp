@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "particles/cells.hpp"
+#include "particles/points.hpp"
 #include "particles/truncated_gaussian.hpp"
 
 namespace particles {
@@ -20,14 +21,6 @@ using base::for_each_index;
 using base::Index;
 using base::InvalidInput;
 using base::shown;
-
-/// "(0.5, 0.2)"
-template <class Position>
-std::string shown_point(const Position& x) {
-    std::string text = "(";
-    for (Index axis = 0; axis < x.size(); ++axis) text += (axis ? ", " : "") + shown(x[axis]);
-    return text + ")";
-}
 
 /// The particles of a cloud around a place, with one entry for each particle within reach. Offsets and kernel
 /// are in units of the smoothing length h, so that the condition of local systems does not depend on h.

@@ -4,30 +4,20 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "base/choose.hpp"
 #include "base/errors.hpp"
 #include "base/index.hpp"
-#include "base/pack.hpp"
 #include "base/random.hpp"
 #include "base/text.hpp"
+#include "particles/points.hpp"
 
 namespace particles {
 
 using base::Index;
 using base::InvalidInput;
-using base::Pack;
 using base::shown;
-
-/// Largest number of neighbours of a Pack, whose columns lie on the stack.
-inline constexpr int most_in_pack = 64;
-
-/// One number per particle, or per neighbour.
-template <class Scalar>
-using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1, 0,
-                            std::is_same_v<Scalar, Pack> ? most_in_pack : Eigen::Dynamic, 1>;
 
 /// Convention for the part of the domain that a particle represents.
 enum class Volumes {

@@ -145,11 +145,6 @@ TEST_CASE("cloud: fewer than two particles are refused with their number") {
     CHECK(Cloud<2>(Points<2>{{0, 3}, {0, 4}}).h()[1] == 5);
 }
 
-TEST_CASE("cloud: a place is shown with its coordinates") {
-    CHECK(shown_point(Point<3>(1, -0.5, 2e-7)) == "(1, -0.5, 2e-07)");
-    CHECK(shown_point(Point<1>(0.1)) == "(0.1)");
-}
-
 TEST_CASE("cloud: surroundings are the offsets, kernel values and numbers of the particles in the support") {
     const Cloud<2> cloud(support::random_points<2>(300, 5));
     const TruncatedGaussian<2> kernel(2.5);
