@@ -58,7 +58,7 @@ double sum_of_values(const Column<double>& weights, const particles::Line<double
 template <class Discrete, class Integral>
 void check_tends_to_integral(const Discrete& discrete, const Integral& integral, int power) {
     const double h = 0.08;
-    particles::for_each_kernel([&](const particles::Kernel& kernel) {
+    particles::for_each_kernel([&](const particles::Kernel<>& kernel) {
         for (const auto volumes : {particles::Volumes::equal, particles::Volumes::partition})
             for (const double place : {0.0, 0.5, 1.0}) {
                 CAPTURE(particles::name(kernel));
@@ -90,7 +90,8 @@ void check_tends_to_integral(const Discrete& discrete, const Integral& integral,
 /// Observed order of an error in h at a place of [0, 1], from three halvings of the smoothing length.
 /// \param error (CentredKernel) -> error
 template <class Error>
-double order_in_h(double place, const Error& error, const particles::Kernel& kernel = particles::Gaussian{}) {
+double order_in_h(double place, const Error& error,
+                  const particles::Kernel<>& kernel = particles::Gaussian{}) {
     std::vector<double> h, size;
     for (const double length : {0.02, 0.01, 0.005, 0.0025}) {
         h.push_back(length);

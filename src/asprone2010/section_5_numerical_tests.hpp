@@ -28,7 +28,7 @@ namespace numerical_tests {
 /// How a line of N particles is made, and its smoothing length.
 struct Discretisation {
     particles::Volumes volumes = particles::Volumes::equal;
-    particles::Kernel kernel = particles::Gaussian{};
+    particles::Kernel<> kernel = particles::Gaussian{};
     double smoothing = 1;     ///< h/δ
     double perturbation = 0;  ///< amplitude a of the random displacement, in units of δ
     particles::Spacing smoothing_from = particles::Spacing::mean;  ///< the δ of h/δ

@@ -27,8 +27,8 @@ template <class Scalar>
 particles::Operators<Scalar> ssph(const particles::Line<Scalar>& line,
                                   const particles::Smoothing<Scalar>& smoothing,
                                   const particles::Requirement& required) {
-    const bool lowered = std::holds_alternative<particles::Gaussian>(smoothing.kernel());
-    const Scalar edge = lowered ? particles::Gaussian::W(Scalar(4)) : Scalar(0);
+    const bool lowered = std::holds_alternative<particles::Gaussian<>>(smoothing.kernel());
+    const Scalar edge = lowered ? particles::Gaussian<>::W(Scalar(4)) : Scalar(0);
     return particles::assemble(line, smoothing, required, [&](const particles::Neighbourhood<Scalar>& near) {
         return derivatives<Scalar>(near.r, (near.W - edge).max(Scalar(0)));
     });

@@ -62,7 +62,7 @@ struct CentredKernel {
 };
 
 /// The kernel of smoothing length h centred at x_i, on the domain Ω.
-inline CentredKernel centred(const Kernel& kernel, double x_i, double h, Interval Omega) {
+inline CentredKernel centred(const Kernel<>& kernel, double x_i, double h, Interval Omega) {
     return std::visit(
         [&](const auto& W) {
             return CentredKernel{x_i,

@@ -132,7 +132,7 @@ Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<
     }
     among.resize(static_cast<std::size_t>(count));
     if (count < most) s.conservativeResize(count, Eigen::NoChange);
-    return {std::move(s), kernel.W(q.head(count)), kernel.edge(), std::move(among)};
+    return {std::move(s), kernel.at(q.head(count)), kernel.edge(), std::move(among)};
 }
 
 /// The same, found among all particles of the cloud.

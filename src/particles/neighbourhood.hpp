@@ -29,11 +29,11 @@ template <class Scalar = double>
 class Smoothing {
   public:
     /// \throws InvalidInput unless h is positive and finite
-    Smoothing(const Kernel& kernel, const Scalar& h) : Smoothing(kernel, Column<Scalar>::Constant(1, h)) {}
+    Smoothing(const Kernel<>& kernel, const Scalar& h) : Smoothing(kernel, Column<Scalar>::Constant(1, h)) {}
 
     /// \param h of each particle
     /// \throws InvalidInput unless each h is positive and finite
-    Smoothing(const Kernel& kernel, Column<Scalar> h) : kernel_(kernel), h_(std::move(h)) {
+    Smoothing(const Kernel<>& kernel, Column<Scalar> h) : kernel_(kernel), h_(std::move(h)) {
         using std::isfinite;
         for (const Scalar& each : h_)
             if (!(isfinite(each) && each > 0))
@@ -42,7 +42,7 @@ class Smoothing {
         largest_ = h_.maxCoeff();
         reach_per_h_ = reach_per_h(kernel_);
     }
-    [[nodiscard]] const Kernel& kernel() const { return kernel_; }
+    [[nodiscard]] const Kernel<>& kernel() const { return kernel_; }
     [[nodiscard]] bool is_local() const { return h_.size() > 1; }
 
     /// The smoothing length; the largest, where each particle has its own.
@@ -63,12 +63,12 @@ class Smoothing {
 
   private:
     [[nodiscard]] Scalar reach_of(const Scalar& h) const { return h * reach_per_h_; }
-    [[nodiscard]] static Scalar reach_per_h(const Kernel& kernel) {
+    [[nodiscard]] static Scalar reach_per_h(const Kernel<>& kernel) {
         using std::sqrt;
         return support<Scalar>(kernel) * (1 - sqrt(std::numeric_limits<Scalar>::epsilon()));
     }
 
-    Kernel kernel_;
+    Kernel<> kernel_;
     Column<Scalar> h_;
     Scalar largest_, reach_per_h_;
 };
@@ -131,19 +131,6 @@ std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Sc
     });
     return near;
 }
-
-namespace detail {
-
-/// DW at an offset, from the known W where that saves an exponential.
-template <class Kernel, class Scalar>
-Scalar derivative(const Kernel& kernel, const Scalar& s, const Scalar& W) {
-    if constexpr (requires { kernel.DW(s, W); })
-        return kernel.DW(s, W);
-    else
-        return kernel.DW(s);
-}
-
-}  // namespace detail
 
 /// The neighbourhood of particle i.
 template <class Scalar>

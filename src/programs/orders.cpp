@@ -39,7 +39,7 @@ std::vector<Square> squares(const Range& range) {
     const long steps = std::lround(std::floor((to - from) / step + 1e-9));
     std::vector<Square> all;
     for (const auto& formulation : command_line::formulations())
-        particles::for_each_kernel([&, from = from, step = step](const particles::Kernel& kernel) {
+        particles::for_each_kernel([&, from = from, step = step](const particles::Kernel<>& kernel) {
             for (const double perturbation : {0.0, 0.25})
                 for (long k = 0; k <= steps; ++k)
                     all.push_back({std::string(formulation.name), particles::name(kernel),

@@ -63,7 +63,7 @@ const Polynomial offset(0, 1);
 
 /// A kernel for h = 1 as a polynomial of the distance q: the one that holds at a given distance.
 struct Pieces {
-    particles::Kernel kernel;
+    particles::Kernel<> kernel;
     int support;
     std::function<Polynomial(const Polynomial& q, const Rational& distance)> W;
 };

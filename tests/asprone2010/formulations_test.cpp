@@ -21,7 +21,7 @@ constexpr Exactness exactness[] = {
 
 /// Largest relative errors of D and D² on (x − c)^degree, on random particles.
 std::array<double, 2> errors(const Formulation<double>& formulation, int degree, particles::Volumes volumes,
-                             const particles::Kernel& kernel, unsigned long seed) {
+                             const particles::Kernel<>& kernel, unsigned long seed) {
     const double c = 0.37;
     const auto [line, smoothing] = particles_of(60, {volumes, kernel, 2.2, 0.4}, seed);
     const auto [D, D2] = formulation.operators(line, smoothing);
@@ -54,7 +54,7 @@ TEST_CASE(
     "formulations: polynomials up to the order are exact on random particles, with every kernel, and no further") {
     for (const auto& [name, first, second] : exactness)
         particles::for_each_kernel(
-            [&, name = name, first = first, second = second](const particles::Kernel& kernel) {
+            [&, name = name, first = first, second = second](const particles::Kernel<>& kernel) {
                 for (const auto volumes : {particles::Volumes::equal, particles::Volumes::partition})
                     for (unsigned long seed = 1; seed <= 3; ++seed) {
                         CAPTURE(name);

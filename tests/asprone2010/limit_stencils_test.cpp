@@ -32,7 +32,7 @@ TEST_CASE("limit_stencils: a stencil does not depend on the spacing") {
 
 TEST_CASE("limit_stencils: inside, rows neither feel the end nor lean to a side") {
     for (const auto& kernel :
-         {particles::Kernel(particles::Gaussian{}), particles::Kernel(particles::QuinticSpline{})})
+         {particles::Kernel<>(particles::Gaussian{}), particles::Kernel<>(particles::QuinticSpline{})})
         for (const std::string_view name : support::all_names) {
             CAPTURE(name);
             const Discretisation how{particles::Volumes::equal, kernel, 1.3};

@@ -20,7 +20,7 @@ namespace {
 struct Case {
     Column<double> x;
     Volumes volumes;
-    Kernel kernel;
+    Kernel<> kernel;
     Column<double> h;   ///< one length for all, or one for each particle
     double factor = 1;  ///< by which a test stretches the line
 
@@ -64,7 +64,7 @@ Column<double> random_positions(Draw& draw, Index N) {
 }
 
 /// The smallest h/spacing at which every particle has four neighbours where the kernel is not negligible.
-double least_ratio(const Column<double>& x, const Column<double>& unit, const Kernel& kernel) {
+double least_ratio(const Column<double>& x, const Column<double>& unit, const Kernel<>& kernel) {
     const double reach = std::min(particles::support<double>(kernel), 3.0);
     double least = 0;
     for (Index i = 0; i < x.size(); ++i) {
@@ -82,8 +82,8 @@ Case random_case(std::uint64_t seed, Index fewest, Index most) {
     sample.x = random_positions(draw, draw.between(fewest, most));
     sample.volumes = draw.one_of({Volumes::equal, Volumes::partition});
     sample.kernel =
-        draw.one_of<Kernel>({particles::Gaussian{}, particles::CubicSpline{}, particles::QuinticSpline{},
-                             particles::WendlandC2{}, particles::WendlandC4{}});
+        draw.one_of<Kernel<>>({particles::Gaussian{}, particles::CubicSpline{}, particles::QuinticSpline{},
+                               particles::WendlandC2{}, particles::WendlandC4{}});
     const auto unit = sample.line().spacing(draw.one_of({Spacing::mean, Spacing::largest, Spacing::local}));
     const double ratio = least_ratio(sample.x, unit, sample.kernel) * draw.between(1.05, 2.0);
     // With equal spacings, multiples of 1/4 put particles exactly on the edge of the support.

@@ -7,7 +7,7 @@ using namespace asprone2010::classical_sph;
 using support::Wave;
 
 TEST_CASE("(1) is the limit of (2) as h → 0, inside the domain") {
-    particles::for_each_kernel([](const particles::Kernel& kernel) {
+    particles::for_each_kernel([](const particles::Kernel<>& kernel) {
         CAPTURE(particles::name(kernel));
         const auto error = [](const CentredKernel& W_i) {
             return value(Wave::B, W_i) - picked_value(Wave::B, W_i.x);

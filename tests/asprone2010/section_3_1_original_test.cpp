@@ -15,7 +15,7 @@ CentredKernel at(double x, double h = 0.05) {
 }  // namespace
 
 TEST_CASE("(5) and (6) are equal everywhere: integration by parts") {
-    particles::for_each_kernel([](const particles::Kernel& kernel) {
+    particles::for_each_kernel([](const particles::Kernel<>& kernel) {
         CAPTURE(particles::name(kernel));
         for (const double x : {0.0, 0.02, 0.3, 0.93, 1.0}) {
             const auto W_i = particles::centred(kernel, x, 0.05, {0, 1});

@@ -63,7 +63,7 @@ TEST_CASE("pack: the least lane") {
 }
 
 TEST_CASE("pack: kernels of a pack are those of its lanes, exponentials to two units in the last place") {
-    for_each_kernel([](const Kernel& any) {
+    for_each_kernel([](const Kernel<>& any) {
         std::visit(
             [](const auto& kernel) {
                 CAPTURE(kernel.name);

@@ -44,7 +44,7 @@ TEST_CASE("formulations: the seven of asprone2010 and ssph, each under its own n
 }
 
 TEST_CASE("formulations: ssph is exact on parabolas, for irregular particles and every kernel") {
-    particles::for_each_kernel([](const particles::Kernel& kernel) {
+    particles::for_each_kernel([](const particles::Kernel<>& kernel) {
         CAPTURE(particles::name(kernel));
         const auto [line, smoothing] = support::particles_of(60, {Volumes::equal, kernel, 2, 0.4}, 7);
         const auto [D, D2] = ssph().operators(line, smoothing);

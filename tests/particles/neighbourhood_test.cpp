@@ -35,7 +35,7 @@ TEST_CASE("neighbourhood: a particle on the support's very edge is none, whateve
 TEST_CASE("neighbourhood: entries are the offsets, kernel, its derivative and volumes in units of h") {
     const auto line = line_at<double>(perturbed_positions<double>(40, 0.3, 5), Volumes::partition);
     const double h = 1.7 * line.spacing();
-    for_each_kernel([&](const Kernel& kernel) {
+    for_each_kernel([&](const Kernel<>& kernel) {
         const Smoothing<double> smoothing(kernel, h);
         for (const Index i : {0, 3, 20, 39}) {
             const Range range = within_reach(line, smoothing, i);

@@ -88,7 +88,7 @@ TEST_CASE(
         }
         CHECK(worst < 2e-12);
     };
-    for (const Kernel& kernel : {Kernel(Gaussian{}), Kernel(QuinticSpline{}), Kernel(WendlandC4{})})
+    for (const Kernel<>& kernel : {Kernel<>(Gaussian{}), Kernel<>(QuinticSpline{}), Kernel<>(WendlandC4{})})
         for (const double smoothing : {1.7, 2.0, 2.6})
             for (const double perturbation : {0.0, 0.25})
                 for (const auto from : {Spacing::mean, Spacing::local}) {

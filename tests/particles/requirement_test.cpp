@@ -44,7 +44,7 @@ TEST_CASE("requirement: a formulation that fails at several particles names the 
 }
 
 TEST_CASE("requirement: the remedy that the error names helps, for every kernel and number of particles") {
-    for_each_kernel([](const Kernel& kernel) {
+    for_each_kernel([](const Kernel<>& kernel) {
         for (Index N = 10; N < 60; ++N)
             for (const double smoothing : {0.3, 0.7, 1.0}) {
                 const std::string error =

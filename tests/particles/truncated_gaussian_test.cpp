@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "base/quad.hpp"
 #include "tests/relative.hpp"
 
 using namespace particles;
@@ -37,6 +38,9 @@ void check_slope() {
                 (kernel.at((s + step) * (s + step)) - kernel.at((s - step) * (s - step))) / (2 * step);
             const double found = -2 * s * (kernel.at(s * s) + kernel.edge());
             CHECK(std::abs(found - slope) < 1e-8 * (kernel.at(0) + kernel.edge()));
+            CHECK(kernel.DW(s) == support::relative(found, 1e-14));
+            const double curvature = (kernel.DW(s + step) - kernel.DW(s - step)) / (2 * step);
+            CHECK(std::abs(kernel.D2W(s) - curvature) < 1e-8 * (kernel.at(0) + kernel.edge()));
         }
     }
 }
@@ -48,10 +52,13 @@ void check_edge() {
         const TruncatedGaussian<dim> kernel(rho);
         CHECK(kernel.rho() == rho);
         for (const double beyond : {1.0, 1.0001, 2.0, 1e3}) CHECK(kernel.at(rho * rho * beyond) == 0);
-        const Eigen::Array3d W = kernel.W(Eigen::Array3d(0, rho * rho, 4 * rho * rho));
+        const Eigen::Array3d W = kernel.at(Eigen::Array3d(0, rho * rho, 4 * rho * rho));
         CHECK(W[0] == support::relative(kernel.at(0), 1e-15));
         CHECK(W[1] == 0);
         CHECK(W[2] == 0);
+        for (const double beyond : {rho, -rho, 1.0001 * rho, 40.0})
+            for (const double value : {kernel.W(beyond), kernel.DW(beyond), kernel.D2W(beyond)})
+                CHECK(value == 0);
         // It tends to zero at the edge, in proportion to the distance from it.
         const double near = kernel.at(std::pow(rho * (1 - 1e-6), 2));
         CHECK(near == support::relative(2e-6 * rho * rho * kernel.edge(), 1e-4));
@@ -88,8 +95,30 @@ TEST_CASE("truncated_gaussian: values are the lowered Gaussian's, of G(2) in clo
 TEST_CASE("truncated_gaussian: an array of squared distances gives the single values") {
     const TruncatedGaussian<3> kernel(2.5);
     const Eigen::ArrayXd q = Eigen::ArrayXd::LinSpaced(101, 0, 6.24);
-    const Eigen::ArrayXd W = kernel.W(q);
+    const Eigen::ArrayXd W = kernel.at(q);
     for (Eigen::Index k = 0; k < q.size(); ++k) CHECK(W[k] == support::relative(kernel.at(q[k]), 1e-11));
+}
+
+TEST_CASE("truncated_gaussian: at an offset the value is that at its squared length, to the last bit") {
+    const TruncatedGaussian<2> kernel(2.5);
+    for (double s = -3; s < 3; s += 0.01) CHECK(kernel.W(s) == kernel.at(s * s));
+}
+
+TEST_CASE("truncated_gaussian: the gradients at offsets follow from the values, to the last bit") {
+    const TruncatedGaussian<2> kernel(2.5);
+    const Offsets<double, 2> s = 1.7 * Offsets<double, 2>::Random(101, 2);
+    Column<double> W;
+    Offsets<double, 2> DW;
+    evaluate(kernel, s, W, DW);
+    CHECK((W == kernel.at(s.square().rowwise().sum())).all());
+    CHECK((DW == (-2 * s).colwise() * (W + kernel.edge())).all());
+}
+
+TEST_CASE("truncated_gaussian: wider scalars vanish at the edge to their own precision") {
+    const TruncatedGaussian<1> kernel(3);
+    const base::Quad near = base::Quad(3) * (1 - base::Quad(1e-20));
+    CHECK(static_cast<double>(kernel.W(near)) == support::relative(18e-20 * kernel.edge(), 1e-12));
+    CHECK(static_cast<double>(kernel.edge<long double>()) == support::relative(kernel.edge(), 1e-15));
 }
 
 TEST_CASE("truncated_gaussian: positive inside and falling with the distance") {

@@ -8,7 +8,7 @@
 namespace asprone2010::claims {
 
 report::Computations section_2() {
-    const particles::Gaussian gaussian;
+    const particles::Gaussian<> gaussian;
     return {
         // Smallest value of the Gaussian over offsets from −20 h to 20 h
         {"A-2-non-negative", measured([=] {

@@ -96,7 +96,7 @@ double reciprocal_condition_of_ring(double wobble) {
         const double angle = 2 * std::numbers::pi * j / count, r = 2 + wobble * std::cos(3 * angle);
         s.row(j) << 0.7 + r * std::cos(angle), 0.2 + r * std::sin(angle);
     }
-    const Column<double> W = particles::TruncatedGaussian<2>(4).W(s.square().rowwise().sum().eval());
+    const Column<double> W = particles::TruncatedGaussian<2>(4).at(s.square().rowwise().sum().eval());
     return reciprocal_condition<Eigen::Matrix<double, 6, 6>>(
         ssph_basis::summed(ssph_basis::H<2, 2, double>(s), W));
 }
@@ -105,7 +105,7 @@ double reciprocal_condition_of_ring(double wobble) {
 double reciprocal_condition_on_line(Index count) {
     const Eigen::Array<double, Eigen::Dynamic, 1> s =
         Eigen::Array<double, Eigen::Dynamic, 1>::LinSpaced(count, -0.7, 1.1);
-    const Column<double> W = particles::TruncatedGaussian<1>(4).W(s.square().eval());
+    const Column<double> W = particles::TruncatedGaussian<1>(4).at(s.square().eval());
     return reciprocal_condition<Eigen::Matrix3d>(ssph_basis::summed(ssph_basis::H<1, 2, double>(s), W));
 }
 
