@@ -330,7 +330,7 @@ void evaluate(const AnyKernel<dim>& kernel, const Offsets<Scalar, dim>& s, Colum
         W = s.unaryExpr(value);
         DW = s.binaryExpr(W, slope);
     } else {
-        const Column<Scalar> q = s.matrix().rowwise().norm();
+        const Column<Scalar> q = squared_lengths(s).sqrt();
         W = q.unaryExpr(value);
         DW = s.colwise() * (q > 0).select(q.binaryExpr(W, slope) / q, Scalar(0));
     }

@@ -26,6 +26,14 @@ using Offsets = Eigen::Array<Scalar, Eigen::Dynamic, dim, 0,
 template <class Scalar>
 using Column = Offsets<Scalar, 1>;
 
+/// The squared length of each offset.
+template <class Scalar, int dim>
+Column<Scalar> squared_lengths(const Offsets<Scalar, dim>& s) {
+    Column<Scalar> q = s.col(0).square();
+    for (int axis = 1; axis < dim; ++axis) q += s.col(axis).square();
+    return q;
+}
+
 /// A position on a line, in the plane or in space.
 template <int dim, class Scalar = double>
 using Point = Eigen::Matrix<Scalar, dim, 1>;

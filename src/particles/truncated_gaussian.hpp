@@ -113,7 +113,7 @@ class TruncatedGaussian {
 template <int dim, class Scalar>
 void evaluate(const TruncatedGaussian<dim>& kernel, const Offsets<Scalar, dim>& s, Column<Scalar>& W,
               Offsets<Scalar, dim>& DW) {
-    const Column<Scalar> q = s.square().rowwise().sum();
+    const Column<Scalar> q = squared_lengths(s);
     W = kernel.at(q);
     const Column<Scalar> gaussian = (q < Scalar(kernel.rho()) * Scalar(kernel.rho()))
                                         .select(W + kernel.template edge<Scalar>(), Scalar(0));

@@ -17,3 +17,9 @@ TEST_CASE("points: offsets on a line are a column, those of a Pack lie on the st
     static_assert(Column<Pack>::MaxRowsAtCompileTime == most_in_pack);
     CHECK(Offsets<double, 3>(7, 3).size() == 21);
 }
+
+TEST_CASE("points: squared lengths are those of each row, to the last bit") {
+    const Offsets<double, 3> s = Offsets<double, 3>::Random(101, 3);
+    const Column<double> q = squared_lengths(s);
+    for (Index k = 0; k < s.rows(); ++k) CHECK(q[k] == Point<3>(s.row(k).matrix().transpose()).squaredNorm());
+}

@@ -110,7 +110,7 @@ TEST_CASE("truncated_gaussian: the gradients at offsets follow from the values, 
     Column<double> W;
     Offsets<double, 2> DW;
     evaluate(kernel, s, W, DW);
-    CHECK((W == kernel.at(s.square().rowwise().sum())).all());
+    CHECK((W == kernel.at(squared_lengths(s))).all());
     CHECK((DW == (-2 * s).colwise() * (W + kernel.edge())).all());
 }
 
