@@ -65,11 +65,17 @@ Points<dim> irregular_points(Index n, double a, unsigned seed) {
 template <int dim>
 std::vector<std::pair<std::string, Points<dim>>> all_kinds(Index N) {
     const Points<dim> random = random_points<dim>(N, 7);
-    Points<dim> graded = random, axis = Points<dim>::Zero(dim, N), diagonal = random, outlier = random;
+    Points<dim> graded = random, axis = Points<dim>::Zero(dim, N), diagonal = random, line = random,
+                outlier = random, clusters = random, nested = random, spiral = Points<dim>::Zero(dim, N);
     for (Index j = 0; j < N; ++j) {
         graded.col(j) *= std::pow(10, -8 * random(0, j));  // distances from 1 down to 1e-8
         axis(dim - 1, j) = random(0, j);
         diagonal.col(j).setConstant(random(0, j));
+        line.col(j) = random(0, j) * Point<dim>::LinSpaced(1, 3.3).array() + 0.3;
+        clusters.col(j) = 1e-6 * random.col(j).array() + static_cast<double>(j % 2);
+        nested.col(j) *= std::pow(1e-3, static_cast<double>(j % 4));
+        const double turn = static_cast<double>(j) / static_cast<double>(N), r = std::exp(-18 * turn);
+        for (int k = 0; k < dim; ++k) spiral(k, j) = k < 2 ? r * std::cos(60 * turn + 1.5 * k) : r;
     }
     outlier.col(N / 2).setConstant(1e6);
     const Index n = std::lround(std::pow(static_cast<double>(N), 1.0 / dim));
@@ -77,7 +83,11 @@ std::vector<std::pair<std::string, Points<dim>>> all_kinds(Index N) {
             {"graded", graded},
             {"along an axis", axis},
             {"along a diagonal", diagonal},
+            {"along a line", line},
             {"one of them far away", outlier},
+            {"two clusters", clusters},
+            {"clusters in clusters", nested},
+            {"an exponential spiral", spiral},
             {"far from the origin", (random.array() + 1e6).matrix()},
             {"negative and large", (-1e9 * random.array()).matrix()},
             {"a grid", grid_points<dim>(n)},

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 #include "base/index.hpp"
@@ -13,60 +15,155 @@ namespace particles {
 
 using base::Index;
 
-/// Particles sorted into a grid of equal cubes, about two particles to a cube. The time to find the particles
-/// near a place does not grow with their number. The cubes of a row are neighbours in memory.
+/// Particles sorted into a grid of equal cubes, about two particles to a cube. A cube with many particles is
+/// sorted into a finer grid of its own, and so on, so that the time to find the particles near a place does
+/// not grow with their number, wherever they lie. The cubes of a row are neighbours in memory.
 template <int dim>
 class Cells {
   public:
+    /// A cube with more particles than this has a finer grid.
+    static constexpr Index most_in_cube = 64;
+
     /// \param x finite positions, at least one
-    explicit Cells(const Points<dim>& x) : origin_(x.rowwise().minCoeff()) {
-        const Point<dim> extent = x.rowwise().maxCoeff() - origin_;
-        const auto N = static_cast<double>(x.cols());
-        side_ = std::max(extent.maxCoeff() / N, 1e-300);
-        const auto cubes = [&] { return ((extent / side_).array().floor() + 1).prod(); };
-        while (cubes() > std::max(N / 2, 1.0)) side_ *= 1.1;
-        for (int axis = 0; axis < dim; ++axis) count_[axis] = static_cast<Index>(extent[axis] / side_) + 1;
-
-        const auto all = static_cast<std::size_t>(cubes());
-        std::vector<std::size_t> cube(static_cast<std::size_t>(x.cols()));
-        first_.assign(all + 1, 0);
-        for (Index j = 0; j < x.cols(); ++j) {
-            std::array<Index, dim> at{};
-            for (int axis = 0; axis < dim; ++axis) at[axis] = clamped(x(axis, j), axis);
-            cube[static_cast<std::size_t>(j)] = number(at);
-            ++first_[number(at) + 1];
-        }
-        for (std::size_t k = 0; k < all; ++k) first_[k + 1] += first_[k];
+    explicit Cells(const Points<dim>& x) : particle_(static_cast<std::size_t>(x.cols())) {
+        std::iota(particle_.begin(), particle_.end(), 0);
+        grid_ = sorted_grid(x, 0, x.cols());
         sorted_.resize(dim, x.cols());
-        particle_.resize(static_cast<std::size_t>(x.cols()));
-        std::vector<Index> next(first_.begin(), first_.end() - 1);
-        for (Index j = 0; j < x.cols(); ++j) {
-            const Index place = next[cube[static_cast<std::size_t>(j)]]++;
-            sorted_.col(place) = x.col(j);
-            particle_[static_cast<std::size_t>(place)] = static_cast<int>(j);
-        }
+        for (Index k = 0; k < x.cols(); ++k) sorted_.col(k) = x.col(particle(k));
     }
-
-    /// Length of a cube's side.
-    [[nodiscard]] double side() const { return side_; }
 
     /// Calls `visit(j, distance²)` for each particle j that is nearer to a place than `reach`.
     template <class Visit>
     void for_each_within(const Point<dim>& place, double reach, const Visit& visit) const {
-        std::array<Index, dim> low{}, high{};
-        for (int axis = 0; axis < dim; ++axis) {
-            low[axis] = clamped(place[axis] - reach, axis);
-            high[axis] = clamped(place[axis] + reach, axis);
+        for_each_candidate(place, reach, [&](int j, double distance_squared) {
+            if (distance_squared < reach * reach) visit(j, distance_squared);
+        });
+    }
+
+    /// Calls `visit(j, distance²)` for each particle j of the cubes that are nearer to a place than `reach`.
+    template <class Visit>
+    void for_each_candidate(const Point<dim>& place, double reach, const Visit& visit) const {
+        if (!grid_.full.empty()) return search(grid_, place, reach, visit);
+        for_each_row(grid_, place, reach,
+                     [&](std::size_t first, std::size_t last) { scan(grid_, first, last, place, visit); });
+    }
+
+    /// Squared distances of the k particles nearest to a place, in increasing order.
+    /// \param k from 1 to the number of particles
+    [[nodiscard]] std::vector<double> nearest(const Point<dim>& place, Index k) const {
+        std::vector<double> found;
+        for (double reach = side_at(place); static_cast<Index>(found.size()) < k; reach *= 2) {
+            found.clear();
+            for_each_within(place, reach,
+                            [&](int, double distance_squared) { found.push_back(distance_squared); });
         }
-        std::array<Index, dim> at = low;
+        std::partial_sort(found.begin(), found.begin() + k, found.end());
+        found.resize(static_cast<std::size_t>(k));
+        return found;
+    }
+
+    /// The first two of more than `most_in_cube` particles at one place, if there are so many.
+    [[nodiscard]] const std::optional<std::array<int, 2>>& crowd() const { return crowd_; }
+
+    /// Length of the side of the cube around a place, in the finest grid there.
+    [[nodiscard]] double side_at(const Point<dim>& place) const {
+        const Grid* grid = &grid_;
         while (true) {
-            const std::size_t row = number(at);
-            const Index last = first_[row + static_cast<std::size_t>(high[0] - low[0]) + 1];
-            for (Index k = first_[row]; k < last; ++k) {
-                const double distance_squared = (sorted_.col(k) - place).squaredNorm();
-                if (distance_squared < reach * reach)
-                    visit(particle_[static_cast<std::size_t>(k)], distance_squared);
+            const std::size_t cube = grid->number(grid->cube_at(place)), k = grid->first_finer(cube);
+            if (k == grid->full.size() || grid->full[k] != cube) return grid->side;
+            grid = &grid->finer[k];
+        }
+    }
+
+  private:
+    using Cube = std::array<Index, dim>;
+
+    /// A grid of equal cubes over the bounding box of its particles.
+    struct Grid {
+        Point<dim> low, high;           // corners of the bounding box
+        double side = 0;                // of a cube
+        Cube count{};                   // of cubes along each axis
+        std::vector<int> first;         // place of each cube's first particle in the sorted order
+        std::vector<std::size_t> full;  // cubes that have finer grids, in increasing order
+        std::vector<Grid> finer;
+
+        Grid() = default;
+        /// \param low_, high_ corners of the bounding box of N particles
+        Grid(const Point<dim>& low_, const Point<dim>& high_, double N) : low(low_), high(high_) {
+            const Point<dim> extent = high - low;
+            side = std::max(extent.maxCoeff() / N, 1e-300);
+            const auto cubes = [&] { return ((extent / side).array().floor() + 1).prod(); };
+            while (cubes() > std::max(N / 2, 1.0)) side *= 1.1;
+            for (int axis = 0; axis < dim; ++axis) count[axis] = static_cast<Index>(extent[axis] / side) + 1;
+            first.assign(static_cast<std::size_t>(cubes()) + 1, 0);
+        }
+        [[nodiscard]] Index clamped(double x, int axis) const {
+            const double cell = std::floor((x - low[axis]) / side);
+            return static_cast<Index>(std::clamp(cell, 0.0, static_cast<double>(count[axis] - 1)));
+        }
+        /// The cube at a place; the nearest one, outside the bounding box.
+        [[nodiscard]] Cube cube_at(const Point<dim>& place) const {
+            Cube at;
+            for (int axis = 0; axis < dim; ++axis) at[axis] = clamped(place[axis], axis);
+            return at;
+        }
+        [[nodiscard]] std::size_t number(const Cube& at) const {
+            Index cube = at[dim - 1];
+            for (int axis = dim - 2; axis >= 0; --axis) cube = cube * count[axis] + at[axis];
+            return static_cast<std::size_t>(cube);
+        }
+        [[nodiscard]] bool is_within(const Point<dim>& place, double reach) const {
+            return (low.array() <= place.array() + reach).all() &&
+                   (high.array() >= place.array() - reach).all();
+        }
+        /// Which of the finer grids is the first that belongs to a cube or to one after it.
+        [[nodiscard]] std::size_t first_finer(std::size_t cube) const {
+            return static_cast<std::size_t>(std::lower_bound(full.begin(), full.end(), cube) - full.begin());
+        }
+    };
+
+    [[nodiscard]] int particle(Index k) const { return particle_[static_cast<std::size_t>(k)]; }
+
+    /// Sorts the particles at the places begin … end − 1 by their cubes in a grid.
+    Grid sorted_grid(const Points<dim>& x, Index begin, Index end) {
+        Point<dim> low = x.col(particle(begin)), high = low;
+        for (Index k = begin + 1; k < end; ++k) {
+            low = low.cwiseMin(x.col(particle(k)));
+            high = high.cwiseMax(x.col(particle(k)));
+        }
+        Grid grid(low, high, static_cast<double>(end - begin));
+        const std::size_t all = grid.first.size() - 1;
+        std::vector<std::size_t> cube;
+        cube.reserve(static_cast<std::size_t>(end - begin));
+        for (Index k = begin; k < end; ++k) {
+            cube.push_back(grid.number(grid.cube_at(x.col(particle(k)))));
+            ++grid.first[cube.back() + 1];
+        }
+        grid.first[0] = static_cast<int>(begin);
+        for (std::size_t c = 0; c < all; ++c) grid.first[c + 1] += grid.first[c];
+        const std::vector<int> before(particle_.begin() + begin, particle_.begin() + end);
+        std::vector<int> next(grid.first.begin(), grid.first.end() - 1);
+        for (std::size_t k = 0; k < before.size(); ++k)
+            particle_[static_cast<std::size_t>(next[cube[k]]++)] = before[k];
+
+        const bool at_one_place = (high - low).squaredNorm() == 0;
+        if (at_one_place && end - begin > most_in_cube && !crowd_)
+            crowd_ = {particle(begin), particle(begin + 1)};
+        for (std::size_t c = 0; c < all && !at_one_place; ++c)
+            if (grid.first[c + 1] - grid.first[c] > most_in_cube) {
+                grid.full.push_back(c);
+                grid.finer.push_back(sorted_grid(x, grid.first[c], grid.first[c + 1]));
             }
+        return grid;
+    }
+
+    /// Calls `scan(first, last)` for the cubes of each row of a block, first … last − 1.
+    template <class Scan>
+    static void for_each_row(const Grid& grid, const Point<dim>& place, double reach, const Scan& scan) {
+        const Cube low = grid.cube_at(place.array() - reach), high = grid.cube_at(place.array() + reach);
+        for (Cube at = low;;) {
+            const std::size_t first = grid.number(at);
+            scan(first, first + static_cast<std::size_t>(high[0] - low[0]) + 1);
             int axis = 1;
             while (axis < dim && at[axis] == high[axis]) {
                 at[axis] = low[axis];
@@ -77,23 +174,31 @@ class Cells {
         }
     }
 
-  private:
-    [[nodiscard]] Index clamped(double x, int axis) const {
-        const double cell = std::floor((x - origin_[axis]) / side_);
-        return static_cast<Index>(std::clamp(cell, 0.0, static_cast<double>(count_[axis] - 1)));
-    }
-    [[nodiscard]] std::size_t number(const std::array<Index, dim>& at) const {
-        Index cube = at[dim - 1];
-        for (int axis = dim - 2; axis >= 0; --axis) cube = cube * count_[axis] + at[axis];
-        return static_cast<std::size_t>(cube);
+    /// Calls `visit(j, distance²)` for the particles of a row of cubes, first … last − 1.
+    template <class Visit>
+    void scan(const Grid& grid, std::size_t first, std::size_t last, const Point<dim>& place,
+              const Visit& visit) const {
+        const Index end = grid.first[last];
+        for (Index k = grid.first[first]; k < end; ++k)
+            visit(particle(k), (sorted_.col(k) - place).squaredNorm());
     }
 
-    Point<dim> origin_;
-    double side_ = 0;
-    std::array<Index, dim> count_{};
-    std::vector<Index> first_;   // place of each cube's first particle in the sorted order
+    template <class Visit>
+    void search(const Grid& grid, const Point<dim>& place, double reach, const Visit& visit) const {
+        for_each_row(grid, place, reach, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = grid.first_finer(first); k < grid.full.size() && grid.full[k] < last; ++k) {
+                scan(grid, first, grid.full[k], place, visit);
+                if (grid.finer[k].is_within(place, reach)) search(grid.finer[k], place, reach, visit);
+                first = grid.full[k] + 1;
+            }
+            scan(grid, first, last, place, visit);
+        });
+    }
+
+    Grid grid_;
     std::vector<int> particle_;  // number of the particle at each place
     Points<dim> sorted_;
+    std::optional<std::array<int, 2>> crowd_;
 };
 
 }  // namespace particles

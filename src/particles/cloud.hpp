@@ -40,13 +40,11 @@ class Cloud {
     /// \param x positions, at least two, no two alike
     /// \throws InvalidInput naming the particle where a condition is broken
     explicit Cloud(Points<dim> x) : x_(checked(std::move(x))), cells_(x_), h_(x_.cols()) {
+        if (const auto& crowd = cells_.crowd()) refuse_coincident((*crowd)[0], (*crowd)[1]);
         std::vector<int> nearest(static_cast<std::size_t>(size()));
         for_each_index(size(), [&](Index j) { h_[j] = nearest_neighbour(j, nearest); });
         for (Index j = 0; j < size(); ++j)
-            if (h_[j] == 0)
-                throw InvalidInput("particles " + std::to_string(j) + " and " +
-                                   std::to_string(nearest[static_cast<std::size_t>(j)]) + " coincide at " +
-                                   shown_point(x_.col(j)));
+            if (h_[j] == 0) refuse_coincident(j, nearest[static_cast<std::size_t>(j)]);
     }
 
     [[nodiscard]] const Points<dim>& x() const { return x_; }
@@ -71,7 +69,7 @@ class Cloud {
     /// The particle nearest to a place; the first of several at the same distance.
     [[nodiscard]] int nearest(const Point<dim>& place) const {
         int closest = -1;
-        double least = 0, reach = cells_.side() / 2;
+        double least = 0, reach = cells_.side_at(place) / 2;
         while (closest < 0)
             cells_.for_each_within(place, reach *= 2, [&](int j, double distance_squared) {
                 if (closest >= 0 && (distance_squared > least || (distance_squared == least && j > closest)))
@@ -96,8 +94,13 @@ class Cloud {
         return x;
     }
 
+    [[noreturn]] void refuse_coincident(Index j, Index k) const {
+        throw InvalidInput("particles " + std::to_string(j) + " and " + std::to_string(k) + " coincide at " +
+                           shown_point(x_.col(j)));
+    }
+
     double nearest_neighbour(Index j, std::vector<int>& nearest) const {
-        double least = -1, reach = cells_.side() / 2;
+        double least = -1, reach = cells_.side_at(x_.col(j)) / 2;
         while (least < 0)
             cells_.for_each_within(x_.col(j), reach *= 2, [&](int k, double distance_squared) {
                 if (k == j || (least >= 0 && distance_squared >= least)) return;

@@ -116,6 +116,8 @@ TEST_CASE("cloud: particles that coincide are named with their place, in the pla
     x.col(431) = x.col(77);
     CHECK_THROWS_WITH_AS(Cloud<3>{x}, doctest::Contains("particles 77 and 431 coincide at (0."),
                          InvalidInput);
+    CHECK_THROWS_WITH_AS(Cloud<2>(Points<2>(Points<2>::Constant(2, 1000000, 0.5))),
+                         "particles 0 and 1 coincide at (0.5, 0.5)", InvalidInput);
     x.col(431)[2] += 1e-13;
     CHECK(Cloud<3>(x).h()[431] == support::relative(1e-13, 1e-2));
 }
