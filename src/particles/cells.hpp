@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -35,17 +36,13 @@ class Cells {
     /// Calls `visit(j, distance²)` for each particle j that is nearer to a place than `reach`.
     template <class Visit>
     void for_each_within(const Point<dim>& place, double reach, const Visit& visit) const {
-        for_each_candidate(place, reach, [&](int j, double distance_squared) {
-            if (distance_squared < reach * reach) visit(j, distance_squared);
-        });
+        search(grid_, place, reach, reach * reach, visit);
     }
 
     /// Calls `visit(j, distance²)` for each particle j of the cubes that are nearer to a place than `reach`.
     template <class Visit>
     void for_each_candidate(const Point<dim>& place, double reach, const Visit& visit) const {
-        if (!grid_.full.empty()) return search(grid_, place, reach, visit);
-        for_each_row(grid_, place, reach,
-                     [&](std::size_t first, std::size_t last) { scan(grid_, first, last, place, visit); });
+        search(grid_, place, reach, std::numeric_limits<double>::infinity(), visit);
     }
 
     /// Squared distances of the k particles nearest to a place, in increasing order.
@@ -68,11 +65,12 @@ class Cells {
     /// Length of the side of the cube around a place, in the finest grid there.
     [[nodiscard]] double side_at(const Point<dim>& place) const {
         const Grid* grid = &grid_;
-        while (true) {
-            const std::size_t cube = grid->number(grid->cube_at(place)), k = grid->first_finer(cube);
-            if (k == grid->full.size() || grid->full[k] != cube) return grid->side;
-            grid = &grid->finer[k];
+        while (!grid->full.empty()) {
+            const std::size_t cube = grid->number(grid->cube_at(place)), finer = grid->first_finer(cube);
+            if (finer == grid->full.size() || grid->full[finer] != cube) break;
+            grid = &grid->finer[finer];
         }
+        return grid->side;
     }
 
   private:
@@ -118,6 +116,7 @@ class Cells {
         }
         /// Which of the finer grids is the first that belongs to a cube or to one after it.
         [[nodiscard]] std::size_t first_finer(std::size_t cube) const {
+            if (full.empty()) return 0;
             return static_cast<std::size_t>(std::lower_bound(full.begin(), full.end(), cube) - full.begin());
         }
     };
@@ -157,13 +156,25 @@ class Cells {
         return grid;
     }
 
-    /// Calls `scan(first, last)` for the cubes of each row of a block, first … last − 1.
-    template <class Scan>
-    static void for_each_row(const Grid& grid, const Point<dim>& place, double reach, const Scan& scan) {
+    /// Visits the particles of the cubes within reach whose squared distance is less than `most`.
+    template <class Visit>
+    void search(const Grid& grid, const Point<dim>& place, double reach, double most,
+                const Visit& visit) const {
         const Cube low = grid.cube_at(place.array() - reach), high = grid.cube_at(place.array() + reach);
         for (Cube at = low;;) {
-            const std::size_t first = grid.number(at);
-            scan(first, first + static_cast<std::size_t>(high[0] - low[0]) + 1);
+            std::size_t cube = grid.number(at);
+            const std::size_t end = cube + static_cast<std::size_t>(high[0] - low[0]) + 1;
+            for (std::size_t finer = grid.first_finer(cube); cube < end; ++finer) {
+                const std::size_t full = finer < grid.full.size() ? std::min(grid.full[finer], end) : end;
+                const Index last = grid.first[full];
+                for (Index k = grid.first[cube]; k < last; ++k) {
+                    const double distance_squared = (sorted_.col(k) - place).squaredNorm();
+                    if (distance_squared < most) visit(particle(k), distance_squared);
+                }
+                if (full < end && grid.finer[finer].is_within(place, reach))
+                    search(grid.finer[finer], place, reach, most, visit);
+                cube = full + 1;
+            }
             int axis = 1;
             while (axis < dim && at[axis] == high[axis]) {
                 at[axis] = low[axis];
@@ -172,27 +183,6 @@ class Cells {
             if (axis >= dim) return;
             ++at[axis];
         }
-    }
-
-    /// Calls `visit(j, distance²)` for the particles of a row of cubes, first … last − 1.
-    template <class Visit>
-    void scan(const Grid& grid, std::size_t first, std::size_t last, const Point<dim>& place,
-              const Visit& visit) const {
-        const Index end = grid.first[last];
-        for (Index k = grid.first[first]; k < end; ++k)
-            visit(particle(k), (sorted_.col(k) - place).squaredNorm());
-    }
-
-    template <class Visit>
-    void search(const Grid& grid, const Point<dim>& place, double reach, const Visit& visit) const {
-        for_each_row(grid, place, reach, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = grid.first_finer(first); k < grid.full.size() && grid.full[k] < last; ++k) {
-                scan(grid, first, grid.full[k], place, visit);
-                if (grid.finer[k].is_within(place, reach)) search(grid.finer[k], place, reach, visit);
-                first = grid.full[k] + 1;
-            }
-            scan(grid, first, last, place, visit);
-        });
     }
 
     Grid grid_;
