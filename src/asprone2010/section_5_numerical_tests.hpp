@@ -4,6 +4,7 @@
 
 #include "asprone2010/formulations.hpp"
 #include "base/text.hpp"
+#include "particles/spacing.hpp"
 
 namespace asprone2010 {
 
@@ -49,7 +50,7 @@ Particles<Scalar> discretise(const Discretisation& how, const Column<Scalar>& x)
         throw base::InvalidInput("the smoothing length over the spacing must be positive and finite, got " +
                                  base::shown(how.smoothing));
     const Line<Scalar> line = particles::line_at<Scalar>(x, how.volumes);
-    const Column<Scalar> h = Scalar(how.smoothing) * line.spacing(how.smoothing_from);
+    const Column<Scalar> h = Scalar(how.smoothing) * particles::spacing(line, how.smoothing_from);
     return {line, particles::Smoothing<Scalar>(how.kernel, h)};
 }
 

@@ -96,7 +96,7 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
         .type_name("RATIO");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "the spacing delta of h/delta: mean (default), largest, or local: each particle has an h of its own, from the farther of its two neighbours")
+           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local (to the farther of its two neighbours), nearest, or K-nearest (to the farthest of the K nearest, such as 4-nearest)")
         .type_name("NAME");
     app.add_list("--perturb", options.perturbations,
                  "amplitudes a, a list: inner particles move by U(-1,1) a delta (default 0; the paper: 0.25)")

@@ -50,6 +50,7 @@ class Cloud {
     [[nodiscard]] const Points<dim>& x() const { return x_; }
     [[nodiscard]] const Column<double>& h() const { return h_; }
     [[nodiscard]] Index size() const { return x_.cols(); }
+    [[nodiscard]] const Cells<dim>& cells() const { return cells_; }
 
     /// The particles nearer to a place than `reach`, in the order of the search, which is the same each time.
     [[nodiscard]] std::vector<int> around(const Point<dim>& place, double reach) const {

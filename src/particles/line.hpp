@@ -35,20 +35,6 @@ inline std::string name(Volumes volumes) {
     return volumes == Volumes::equal ? "equal" : "partition";
 }
 
-/// The distance between consecutive particles that is the unit of smoothing lengths.
-enum class Spacing {
-    mean,
-    largest,
-    local  ///< for each particle the larger one of the distances to its two neighbours
-};
-
-/// \throws InvalidInput for a name that no spacing has
-inline Spacing spacing_named(std::string_view wanted) {
-    return base::choose<Spacing>(
-        "spacing", wanted,
-        {{"mean", Spacing::mean}, {"largest", Spacing::largest}, {"local", Spacing::local}});
-}
-
 /// A line of particles: positions in increasing order, and a volume for each particle [length].
 /// \tparam Scalar a real type
 template <class Scalar = double>
@@ -81,19 +67,6 @@ class Line {
 
     /// Mean distance δ between consecutive particles.
     [[nodiscard]] Scalar spacing() const { return length() / Scalar(size() - 1); }
-
-    /// The unit of smoothing lengths: one number for all particles, or one for each.
-    [[nodiscard]] Column<Scalar> spacing(Spacing which) const {
-        if (which == Spacing::mean) return Column<Scalar>::Constant(1, spacing());
-        const Index N = size();
-        const Column<Scalar> apart = x_.tail(N - 1) - x_.head(N - 1);
-        if (which == Spacing::largest) return Column<Scalar>::Constant(1, apart.maxCoeff());
-        Column<Scalar> local(N);
-        local[0] = apart[0];
-        local[N - 1] = apart[N - 2];
-        local.segment(1, N - 2) = apart.head(N - 2).max(apart.tail(N - 2));
-        return local;
-    }
 
   private:
     [[noreturn]] static void refuse(Index j, const std::string& why) {

@@ -84,7 +84,8 @@ Case random_case(std::uint64_t seed, Index fewest, Index most) {
     sample.kernel =
         draw.one_of<Kernel<>>({particles::Gaussian{}, particles::CubicSpline{}, particles::QuinticSpline{},
                                particles::WendlandC2{}, particles::WendlandC4{}});
-    const auto unit = sample.line().spacing(draw.one_of({Spacing::mean, Spacing::largest, Spacing::local}));
+    const auto unit =
+        particles::spacing(sample.line(), draw.one_of({Spacing::mean, Spacing::largest, Spacing::local}));
     const double ratio = least_ratio(sample.x, unit, sample.kernel) * draw.between(1.05, 2.0);
     // With equal spacings, multiples of 1/4 put particles exactly on the edge of the support.
     sample.h = unit * draw.one_of({ratio, std::ceil(4 * ratio) / 4});

@@ -92,28 +92,3 @@ TEST_CASE("line: what is no line is refused with the particle's number") {
     for (const double a : {-0.1, 0.5, 2.0, nan})
         CHECK_THROWS_AS(perturbed_positions<double>(10, a, 1), InvalidInput);
 }
-
-TEST_CASE("line: the largest spacing is that of the farthest neighbours, the mean one that of all") {
-    Column<double> x(4);
-    x << 0, 0.1, 0.6, 1;
-    const auto line = line_at<double>(x, Volumes::equal);
-    CHECK(line.spacing(Spacing::largest)[0] == 0.5);
-    CHECK(line.spacing(Spacing::mean)[0] == line.spacing());
-    CHECK(spacing_named("mean") == Spacing::mean);
-    CHECK(spacing_named("largest") == Spacing::largest);
-    CHECK(spacing_named("local") == Spacing::local);
-    CHECK_THROWS_WITH_AS(spacing_named("least"),
-                         "there is no spacing 'least'; choose one of mean, largest, local", InvalidInput);
-}
-
-TEST_CASE("line: the local spacing of a particle is that to the farther one of its neighbours") {
-    Column<double> x(4);
-    x << 0, 0.125, 0.625, 1;
-    const auto local = line_at<double>(x, Volumes::equal).spacing(Spacing::local);
-    REQUIRE(local.size() == 4);
-    CHECK(local[0] == 0.125);
-    CHECK(local[1] == 0.5);
-    CHECK(local[2] == 0.5);
-    CHECK(local[3] == 0.375);
-    CHECK(line_at<double>(x.head(2), Volumes::equal).spacing(Spacing::local).size() == 2);
-}

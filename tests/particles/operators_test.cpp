@@ -213,7 +213,7 @@ TEST_CASE(
     Column<double> x(40);
     for (Index j = 0; j < 40; ++j) x[j] = std::pow(1.08, static_cast<double>(j));
     const auto line = line_at<double>(x, Volumes::partition);
-    const Smoothing<double> local(Gaussian{}, line.spacing(Spacing::local));
+    const Smoothing<double> local(Gaussian{}, spacing(line, Spacing::local));
     CHECK(local.is_local());
     CHECK(local.h() == local.h(39));
     CHECK(local.reach(0) < local.reach());
