@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <algorithm>
@@ -208,7 +207,8 @@ double taylor(const Derivatives<dim>& D, const Point<dim>& s) {
 
 /// The expansion as a product. \defeq{B2.2}
 /// \f[ f(\xi) = P(\xi, x)\,Q(x) \tag{2.2} \f]
-inline double value(const RowVector<double>& P, const Vector<double>& Q) {
+template <class Scalar>
+Scalar value(const RowVector<Scalar>& P, const Vector<Scalar>& Q) {
     return P * Q;
 }
 
@@ -236,7 +236,8 @@ RowVector<double> P(const Point<dim>& s) {
 /// \defeq{B2.4}
 /// \f[ f(\xi)\,W\,P^T = \left[P^T\,W\,P\right] Q \tag{2.4} \f]
 /// \return the matrix in brackets
-inline Matrix<double> outer_product(const RowVector<double>& P, double W) {
+template <class Scalar>
+Matrix<Scalar> outer_product(const RowVector<Scalar>& P, const Scalar& W) {
     return P.transpose() * W * P;
 }
 
@@ -244,8 +245,9 @@ inline Matrix<double> outer_product(const RowVector<double>& P, double W) {
 /// \f[ \sum_{j=1}^{N} f(\xi^{g(j)})\,W\,P^T = \sum_{j=1}^{N} \left[P^T\,W\,P\right] Q \tag{2.5} \f]
 /// \param H the particles' monomials, \eq{B2.6}
 /// \return the matrix on the right, summed term by term
-inline Matrix<double> summed(const Table<double>& H, const Column<double>& W) {
-    return detail::sum(W.size(), [&](Index j) { return outer_product(H.col(j).transpose(), W[j]); });
+template <class Scalar>
+Matrix<Scalar> summed(const Table<Scalar>& H, const Column<Scalar>& W) {
+    return detail::sum(W.size(), [&](Index j) { return outer_product<Scalar>(H.col(j).transpose(), W[j]); });
 }
 
 /// The monomials of many offsets, a column for each particle; each row is an earlier one times a coordinate.
@@ -275,8 +277,9 @@ auto diagonal(const Column<Scalar>& W) {
 /// The same as a product of matrices. \defeq{B2.7}
 /// \f[ H\,W\,F^{(x)} = H\,W\,H^T\,Q(x) \tag{2.7} \f]
 /// \return both sides for given values and a given Q
-inline std::array<Vector<double>, 2> both_sides(const Table<double>& H, const Column<double>& W,
-                                                const Column<double>& F, const Vector<double>& Q) {
+template <class Scalar>
+std::array<Vector<Scalar>, 2> both_sides(const Table<Scalar>& H, const Column<Scalar>& W,
+                                         const Column<Scalar>& F, const Vector<Scalar>& Q) {
     return {H * diagonal(W) * F.matrix(), H * diagonal(W) * H.transpose() * Q};
 }
 
@@ -302,9 +305,10 @@ Matrix<Scalar> C(const Table<Scalar>& D, const Table<Scalar>& H) {
 /// unless every choice is degenerate. For small supports: the number of choices grows fast. \defeq{B2.10}
 /// \f[ \det C = \sum_{n_1 < \cdots < n_n} \prod_k W(g(n_k))
 ///     \left(\det\begin{bmatrix} P(g(n_1)) \\ \vdots \\ P(g(n_n)) \end{bmatrix}\right)^2 \tag{2.10} \f]
-inline double determinant(const Table<double>& H, const Column<double>& W) {
+template <class Scalar>
+Scalar determinant(const Table<Scalar>& H, const Column<Scalar>& W) {
     return detail::sum_over_choices(W.size(), H.rows(), [&](const std::vector<Index>& g) {
-        return W(g).prod() * std::pow(Matrix<double>(H(Eigen::all, g)).determinant(), 2);
+        return W(g).prod() * std::pow(Matrix<Scalar>(H(Eigen::all, g)).determinant(), 2);
     });
 }
 
@@ -326,7 +330,6 @@ class Basis {
     [[nodiscard]] Table<Scalar> K() const;
     [[nodiscard]] Column<Scalar> row(Index I) const;
     [[nodiscard]] Column<Scalar> DK(Index I, int axis) const;
-    [[nodiscard]] Scalar condition() const;
 
     /// The matrix of the fit, \eq{B2.9}.
     [[nodiscard]] const Matrix<Scalar>& matrix() const { return C_; }
@@ -427,13 +430,6 @@ Column<Scalar> Basis<dim, m, Scalar>::DK(Index I, int axis) const {
     return (DW * p - W * P_times(factors_.solve(DC_a))) / (unit(I) * h_);
 }
 
-/// Condition number of C in the 2-norm.
-template <int dim, int m, class Scalar>
-Scalar Basis<dim, m, Scalar>::condition() const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixX<Scalar>> spectrum(C_, Eigen::EigenvaluesOnly);
-    return spectrum.eigenvalues()[n - 1] / spectrum.eigenvalues()[0];
-}
-
 /// \f$K_{IJ}\f$, a row of \eq{B2.11}: `K<4>(basis)` is \f$K_{4J}\f$.
 template <int I, int dim, int m, class Scalar>
 Column<Scalar> K(const Basis<dim, m, Scalar>& basis) {
@@ -443,25 +439,28 @@ Column<Scalar> K(const Basis<dim, m, Scalar>& basis) {
 
 /// The matrix that spreads the particles of a support among all M. \defeq{B2.12}
 /// \f[ S_{j\,g(j)} = 1, \quad S\,S^T = I_N \tag{2.12} \f]
-inline Eigen::SparseMatrix<double> selection(const std::vector<int>& particle, Index M) {
-    Eigen::SparseMatrix<double> S(static_cast<Index>(particle.size()), M);
-    std::vector<Eigen::Triplet<double>> ones;
+template <class Scalar = double>
+Eigen::SparseMatrix<Scalar> selection(const std::vector<int>& particle, Index M) {
+    Eigen::SparseMatrix<Scalar> S(static_cast<Index>(particle.size()), M);
+    std::vector<Eigen::Triplet<Scalar>> ones;
     for (std::size_t j = 0; j < particle.size(); ++j)
-        ones.emplace_back(static_cast<int>(j), particle[j], 1.0);
+        ones.emplace_back(static_cast<int>(j), particle[j], Scalar(1));
     S.setFromTriplets(ones.begin(), ones.end());
     return S;
 }
 
 /// The same estimate from the values of all particles, from which S picks. \defeq{B2.13}
 /// \f[ Q = \left(K^{(x)} S\right)\left(S^T F^{(x)}\right) \tag{2.13} \f]
-inline double through_selection(const Column<double>& K_I, const Eigen::SparseMatrix<double>& S,
-                                const Column<double>& F_x) {
+template <class Scalar>
+Scalar through_selection(const Column<Scalar>& K_I, const Eigen::SparseMatrix<Scalar>& S,
+                         const Column<Scalar>& F_x) {
     return (K_I.matrix().transpose() * S) * (S.transpose() * F_x.matrix());
 }
 
 /// A row of K for all M particles: zero for those beyond the support. \defeq{B2.14}
 /// \f[ Q(x) = K(\xi, x)\,F(\xi), \quad K = K^{(x)} S \tag{2.14} \f]
-inline Column<double> spread(const Column<double>& K_I, const Eigen::SparseMatrix<double>& S) {
+template <class Scalar>
+Column<Scalar> spread(const Column<Scalar>& K_I, const Eigen::SparseMatrix<Scalar>& S) {
     return S.transpose() * K_I.matrix();
 }
 

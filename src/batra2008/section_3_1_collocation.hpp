@@ -3,29 +3,10 @@
 #include <utility>
 #include <vector>
 
+#include "batra2008/basis_at.hpp"
 #include "batra2008/section_3_elastostatics.hpp"
-#include "solvers/sparse.hpp"
 
 namespace batra2008 {
-
-using elastostatics::Problem;
-using particles::Cloud;
-using Kernel = particles::TruncatedGaussian<2>;
-/// A sparse matrix, stored by rows; the unknowns \f$u_1, u_2\f$ of a particle are neighbours.
-using Matrix = solvers::SparseRows;
-
-/// A linear system with two equations for each particle.
-struct System {
-    Matrix A;
-    Eigen::VectorXd b;
-    Matrix nearest{};  ///< the same equations on the nearest particles, for solvers::iterated(); or no rows
-};
-
-/// The displacements \f$u_1, u_2\f$ of each particle. [length]
-/// \throws base::FailedComputation as solvers::solve_sparse()
-inline Eigen::VectorXd solved(System system) {
-    return solvers::solve_sparse(system.A, std::move(system.b), system.nearest);
-}
 
 /// Two rows of the system: a 2 × 2 block for each neighbour, by which its displacement enters.
 struct Block {

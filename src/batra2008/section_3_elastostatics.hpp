@@ -10,10 +10,17 @@
 
 #include "base/choose.hpp"
 #include "base/text.hpp"
-#include "batra2008/basis_at.hpp"
+#include "particles/cloud.hpp"
 #include "particles/region.hpp"
+#include "solvers/sparse.hpp"
 
 namespace batra2008 {
+
+using particles::Cloud;
+using particles::Column;
+using particles::Index;
+using particles::Point;
+using particles::Points;
 
 /// A displacement or a traction [length, force/area].
 using Vector = Eigen::Vector2d;
@@ -222,4 +229,23 @@ inline double value(const Problem& problem, const Condition& condition, const Po
 }
 
 }  // namespace elastostatics
+
+using elastostatics::Problem;
+using Kernel = particles::TruncatedGaussian<2>;
+/// A sparse matrix, stored by rows; the unknowns \f$u_1, u_2\f$ of a particle are neighbours.
+using Matrix = solvers::SparseRows;
+
+/// A linear system with two equations for each particle.
+struct System {
+    Matrix A;
+    Eigen::VectorXd b;
+    Matrix nearest{};  ///< the same equations on the nearest particles, for solvers::iterated(); or no rows
+};
+
+/// The displacements \f$u_1, u_2\f$ of each particle. [length]
+/// \throws base::FailedComputation as solvers::solve_sparse()
+inline Eigen::VectorXd solved(System system) {
+    return solvers::solve_sparse(system.A, std::move(system.b), system.nearest);
+}
+
 }  // namespace batra2008

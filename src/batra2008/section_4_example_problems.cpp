@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "batra2008/section_3_2_mlpg.hpp"
 #include "particles/triangle_rule.hpp"
 
 namespace batra2008::example_problems {

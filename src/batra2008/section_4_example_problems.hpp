@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/choose.hpp"
-#include "batra2008/section_3_2_mlpg.hpp"
+#include "batra2008/section_3_elastostatics.hpp"
 
 namespace batra2008 {
 

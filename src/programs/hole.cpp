@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <regex>
+#include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,20 +33,33 @@ struct Layout {
     bool drawn;  ///< whether another draw gives another layout
 };
 
+/// The two counts in the name of a layout, such as polar-16x4; nothing for another name.
+/// \param digits how many a count may have
+std::optional<std::array<long, 2>> counts(const std::string& name, const std::string& before, char between,
+                                          std::size_t digits) {
+    const auto middle = name.find(between, before.size());
+    if (!name.starts_with(before) || middle == std::string::npos) return {};
+    const std::string first = name.substr(before.size(), middle - before.size()),
+                      second = name.substr(middle + 1);
+    for (const std::string& count : {first, second})
+        if (count.empty() || count.size() > digits ||
+            count.find_first_not_of("0123456789") != std::string::npos)
+            return {};
+    return {{std::stol(first), std::stol(second)}};
+}
+
 /// A layout by its name, or of a file.
 /// \param rho least scaling factor: the matrices for it must fit into memory
 Layout layout_named(const std::string& name, const hole::Shape& shape, unsigned long draw, double rho) {
-    static const std::regex graded("graded-([0-9]{1,6})-([0-9]{1,6})"),
-        polar("polar-([0-9]{1,5})x([0-9]{1,5})");
-    std::smatch found;
-    const auto count = [&](int k) { return std::stol(found[k]); };
-    if (std::regex_match(name, found, graded)) {
-        command_line::check_cloud(static_cast<double>(count(1)), rho * rho);
-        return {name, hole::graded_layout(shape, count(1), count(2), draw), true};
+    if (const auto graded = counts(name, "graded-", '-', 6)) {
+        const auto [N, on_arc] = *graded;
+        command_line::check_cloud(static_cast<double>(N), rho * rho);
+        return {name, hole::graded_layout(shape, N, on_arc, draw), true};
     }
-    if (std::regex_match(name, found, polar)) {
-        command_line::check_cloud(static_cast<double>(count(1) * count(2)), rho * rho);
-        return {name, hole::polar_layout(shape, count(1), count(2)), false};
+    if (const auto polar = counts(name, "polar-", 'x', 5)) {
+        const auto [rays, on_ray] = *polar;
+        command_line::check_cloud(static_cast<double>(rays * on_ray), rho * rho);
+        return {name, hole::polar_layout(shape, rays, on_ray), false};
     }
     if (name.find('.') == std::string::npos && name.find('/') == std::string::npos)
         throw base::InvalidInput("there is no layout '" + name +

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <sstream>
 
 #include "base/errors.hpp"
@@ -63,10 +62,12 @@ std::string linked(const std::string& text, const Table& equations) {
 /// A section's page, its namespace, by its file: asprone2010/section_3_1_original.hpp ->
 /// asprone2010::original.
 std::string section_page(const std::string& code) {
-    static const std::regex shape(R"re((\w+)/section_[0-9_]+(\w+)\.hpp)re");
-    std::smatch found;
-    if (!std::regex_match(code, found, shape)) throw FailedComputation(code + " is no section's file");
-    return found[1].str() + "::" + found[2].str();
+    const std::string between = "/section_", after = ".hpp";
+    const auto folder = code.find(between);
+    const auto name = code.find_first_not_of("0123456789_", folder + between.size());
+    if (folder == std::string::npos || name == std::string::npos || !code.ends_with(after))
+        throw FailedComputation(code + " is no section's file");
+    return code.substr(0, folder) + "::" + code.substr(name, code.size() - after.size() - name);
 }
 
 // The index of equations

@@ -1,5 +1,7 @@
 #include "tests/batra2008/bases.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include "batra2008/basis_at.hpp"
 
 namespace support {
@@ -39,6 +41,11 @@ Bases bases(int m, const Eigen::MatrixXd& particles, double rho, const Eigen::Ve
     if (particles.rows() == 1) return in_space<1>(m, particles, rho, place, h);
     if (particles.rows() == 2) return in_space<2>(m, particles, rho, place, h);
     return in_space<3>(m, particles, rho, place, h);
+}
+
+double condition(const Eigen::MatrixXd& C) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(C, Eigen::EigenvaluesOnly);
+    return spectrum.eigenvalues().maxCoeff() / spectrum.eigenvalues().minCoeff();
 }
 
 }  // namespace support

@@ -21,6 +21,9 @@ struct Bases {
 /// \param m degree, 1 to 3
 Bases bases(int m, const Eigen::MatrixXd& particles, double rho, const Eigen::VectorXd& place, double h);
 
+/// Condition number of a symmetric matrix in the 2-norm.
+double condition(const Eigen::MatrixXd& C);
+
 /// Calls `visit` for one, two and three dimensions, and degrees 1, 2 and 3 in each.
 template <class Visit>
 void for_each_dimension_and_degree(const Visit& visit) {

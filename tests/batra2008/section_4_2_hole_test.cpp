@@ -1,5 +1,8 @@
 #include "batra2008/section_4_2_hole.hpp"
 
+#include "batra2008/basis_at.hpp"
+
+#include "tests/batra2008/bases.hpp"
 #include "tests/batra2008/elastic.hpp"
 
 using namespace batra2008;
@@ -109,7 +112,7 @@ TEST_CASE("hole: C is well conditioned all over the quarter, for both reference 
         const Cloud<2> cloud(hole::graded_layout(shape, N, on_arc, 1));
         for (const auto& at : hole::mesh(shape, 15, 15)) {
             const double h = cloud.h()[cloud.nearest(at.x)];
-            CHECK(ssph_basis::basis_at<2>(cloud, Kernel(4), at.x, h).condition() < 1000);
+            CHECK(support::condition(ssph_basis::basis_at<2>(cloud, Kernel(4), at.x, h).matrix()) < 1000);
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "batra2008/section_4_example_problems.hpp"
 
+#include "batra2008/section_3_2_mlpg.hpp"
+
 #include "tests/batra2008/elastic.hpp"
 
 using namespace batra2008;
