@@ -42,15 +42,16 @@ export OPENBLAS_CORETYPE := Nehalem
 endif
 
 # A new source file is found by its folder. The folders that compile longest come first, so that no long file is left
-# for the end. What decides the claims is a library apart, which no figure needs.
+# for the end. What decides and shows the claims is a library apart, which no figure needs.
 bin := $(BUILD)/bin
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 sources := $(shell find src tests -name '*.cpp' | LC_ALL=C sort)
 objects_in = $(patsubst %.cpp,$(BUILD)/%.o,$(foreach files,$(1),$(filter $(files),$(sources))))
-claim_objects := $(call objects_in,$(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)))
+tool_objects := $(call objects_in,src/expressions/% src/command_line/% src/report/file.cpp src/report/table.cpp)
+claim_objects := $(filter-out $(tool_objects),$(call objects_in,\
+                   $(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)) src/report/%))
 method_objects := $(filter-out $(claim_objects),\
                     $(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
-tool_objects := $(call objects_in,src/expressions/% src/command_line/% src/report/%)
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
@@ -95,14 +96,29 @@ ifneq ($(filter setup,$(MAKECMDGOALS)),)
 $(goals) $(goals:%=%-build): | setup
 endif
 
+# g++ parses the headers of libraries once for the folders that use Eigen. clang++ and make lint do without, so that
+# every file includes what it needs.
+ifeq (,$(findstring clang,$(CXX)))
+libraries := $(BUILD)/src/libraries.hpp.gch $(BUILD)/tests/libraries.hpp.gch
+with_eigen := $(papers) solvers particles expressions command_line programs
+$(call objects_in,$(with_eigen:%=src/%/%)): $(BUILD)/src/libraries.hpp.gch
+$(call objects_in,$(with_eigen:%=tests/%/%)): $(BUILD)/tests/libraries.hpp.gch
+$(libraries): make/libraries.hpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	echo "precompile $<"
+	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -x c++-header $< -o $@.tmp.gch
+	mv $@.tmp.gch $@
+endif
+
 $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "compile $<"
-	$(CXX) $(CXXFLAGS) $(CPPFLAGS) -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
+	$(CXX) $(CXXFLAGS) $(CPPFLAGS) $(patsubst %.gch,-include %,$(filter $(libraries),$^)) \
+	    -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
 	mv $@.tmp.o $@
 # Tests compile a sixth faster at -O1, and run as long. --plot finds the figures' scripts in the folder of the source.
-$(tests): CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
-$(BUILD)/src/command_line/plot.o: CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
+$(tests) $(BUILD)/tests/libraries.hpp.gch: private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
+$(BUILD)/src/command_line/plot.o: private CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 
 $(methods): $(method_objects)
 $(tools): $(tool_objects)
