@@ -20,6 +20,11 @@ Powers powers(const std::array<int, dim>& exponents) {
     return all;
 }
 
+/// The degree of such a monomial.
+inline int order(const Powers& a) {
+    return a[0] + a[1] + a[2];
+}
+
 /// A polynomial in one, two or three variables with random coefficients, and all its derivatives.
 class Polynomial {
   public:
