@@ -133,8 +133,10 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
 
+    const auto nearest = static_cast<double>(particles::spacing_named(options.smoothing_from).k);
     const double reach = particles::support<double>(particles::kernel_named(options.kernel)) *
-                         (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0);
+                         (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0) *
+                         std::ceil(nearest / 2);
     const std::size_t scalar =
         in_precision(options.precision, [](auto zero) { return sizeof(decltype(zero)); });
     for (const long N : options.particles) check_line(N, reach, scalar);

@@ -169,7 +169,7 @@ Column<double> spacing(const Cloud<dim>& cloud, const Spacing& which) {
         case Spacing::largest:
             return Column<double>::Constant(1, distances_to_nearest(cloud, 1).maxCoeff());
         case Spacing::local:
-            return distances_to_nearest(cloud, std::min<Index>(2 * dim, N - 1));
+            return distances_to_nearest(cloud, std::min(Index{2} * dim, N - 1));
         case Spacing::nearest:
             return distances_to_nearest(cloud, which.k);
         case Spacing::given:

@@ -191,10 +191,14 @@ TEST_CASE(
         "derivative_test --formulation second_order_fpm --kernel quintic_spline --smoothing 1.5";
     // With the mean spacing, the wide cells of this line have too few neighbours.
     check_refused(command + " --positions " + file, 1, "second_order_fpm: particle 5");
-    const auto local =
-        report::parsed(run(command + " --positions " + file + " --smoothing-from local").output);
-    REQUIRE(local.rows.size() == 1);
-    CHECK(std::get<double>(local.rows[0][local.column("error_second")]) < 0.1);
+    for (const std::string from : {"local", "2-nearest"}) {
+        const auto table =
+            report::parsed(run(command + " --positions " + file + " --smoothing-from " + from).output);
+        REQUIRE(table.rows.size() == 1);
+        CHECK(std::get<double>(table.rows[0][table.column("error_second")]) < 0.1);
+    }
+    check_refused(command + " --positions " + file + " --smoothing-from 60-nearest", 2,
+                  "60 nearest of 60 particles");
     check_refused(
         "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from local --positions " +
             file,
