@@ -30,6 +30,12 @@ Found by_brute_force(const Points<dim>& x, const Point<dim>& place, double reach
     return all;
 }
 
+/// Mean number of particles in a cube of the unit cube's grid.
+template <int dim>
+double per_cube(const Points<dim>& x) {
+    return static_cast<double>(x.cols()) * std::pow(Cells<dim>(x).side_at(x.col(0)), dim);
+}
+
 /// Particles whose distance is computed until each has found its nearest neighbour, over their number.
 template <int dim>
 double candidates_of_each(const Points<dim>& x) {
@@ -114,9 +120,6 @@ TEST_CASE("cells: a particle at the distance of the reach is not within it") {
 }
 
 TEST_CASE("cells: a cube holds about two particles") {
-    const auto per_cube = []<int dim>(const Points<dim>& x) {
-        return static_cast<double>(x.cols()) * std::pow(Cells<dim>(x).side_at(x.col(0)), dim);
-    };
     for (const Index N : {100, 1000, 10000}) {
         CAPTURE(N);
         const double line = per_cube(support::random_points<1>(N, 1));

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/QR>
+#include <type_traits>
 
 #include "base/quad.hpp"
 #include "tests/clouds.hpp"
@@ -11,6 +12,10 @@
 using namespace particles;
 
 namespace {
+
+using OnLine = std::integral_constant<int, 1>;
+using InPlane = std::integral_constant<int, 2>;
+using InSpace = std::integral_constant<int, 3>;
 
 Line<double> line_of(std::initializer_list<double> positions) {
     Column<double> x(static_cast<Index>(positions.size()));
@@ -26,12 +31,11 @@ bool close(const Column<double>& a, const Column<double>& b, double tolerance) {
     return a.size() == b.size() && ((a - b).abs() <= tolerance * b).all();
 }
 
-/// Calls `check` in one, two and three dimensions.
-template <class Check>
-void in_every_dimension(const Check& check) {
-    check.template operator()<1>();
-    check.template operator()<2>();
-    check.template operator()<3>();
+/// The spacing of the same line of another scalar.
+template <class Scalar>
+Column<double> spacing_with(const Line<double>& line, const Spacing& which) {
+    const Column<Scalar> x = line.x().cast<Scalar>();
+    return spacing(line_at<Scalar>(x, Volumes::equal), which).template cast<double>();
 }
 
 /// The spacings that are distances between particles.
@@ -70,14 +74,10 @@ TEST_CASE("spacing: on a line the local one is that to the farther neighbour, th
 
 TEST_CASE("spacing: on a line it is the same with every scalar") {
     const auto line = line_of({0, 0.125, 0.625, 1});
-    const auto with = [&]<class Scalar>(const Spacing& which) -> Column<double> {
-        const Column<Scalar> x = line.x().cast<Scalar>();
-        return spacing(line_at<Scalar>(x, Volumes::equal), which).template cast<double>();
-    };
     for (const Spacing& which : {Spacing(Spacing::mean), Spacing(Spacing::largest), Spacing(Spacing::local),
                                  Spacing(Spacing::nearest), Spacing::to_nearest(3), Spacing(0.25)}) {
-        CHECK((with.template operator()<long double>(which) == spacing(line, which)).all());
-        CHECK((with.template operator()<base::Quad>(which) == spacing(line, which)).all());
+        CHECK((spacing_with<long double>(line, which) == spacing(line, which)).all());
+        CHECK((spacing_with<base::Quad>(line, which) == spacing(line, which)).all());
     }
 }
 
@@ -94,22 +94,20 @@ TEST_CASE("spacing: the distances to the nearest particles of a line are those o
     }
 }
 
-TEST_CASE("spacing: on a grid every one inside is the grid's, in every dimension") {
-    in_every_dimension([]<int dim>() {
-        for (const Index n : {3, 4, 9, 17}) {
-            const Cloud<dim> cloud(support::grid_points<dim>(n));
-            const double delta = 1 / static_cast<double>(n - 1);
-            CHECK(spacing(cloud, Spacing::mean)[0] == support::relative(delta, 1e-14));
-            CHECK(spacing(cloud, Spacing::largest)[0] == support::relative(delta, 1e-14));
-            CHECK(close(spacing(cloud, Spacing::nearest), Column<double>::Constant(cloud.size(), delta),
-                        1e-13));
-            const auto local = spacing(cloud, Spacing::local);
-            for (Index j = 0; j < cloud.size(); ++j)
-                if ((cloud.x().col(j).array() > 0.5 * delta && cloud.x().col(j).array() < 1 - 0.5 * delta)
-                        .all())
-                    CHECK(local[j] == support::relative(delta, 1e-13));
-        }
-    });
+TEST_CASE_TEMPLATE("spacing: on a grid every one inside is the grid's, in every dimension", Dim, OnLine,
+                   InPlane, InSpace) {
+    constexpr int dim = Dim::value;
+    for (const Index n : {3, 4, 9, 17}) {
+        const Cloud<dim> cloud(support::grid_points<dim>(n));
+        const double delta = 1 / static_cast<double>(n - 1);
+        CHECK(spacing(cloud, Spacing::mean)[0] == support::relative(delta, 1e-14));
+        CHECK(spacing(cloud, Spacing::largest)[0] == support::relative(delta, 1e-14));
+        CHECK(close(spacing(cloud, Spacing::nearest), Column<double>::Constant(cloud.size(), delta), 1e-13));
+        const auto local = spacing(cloud, Spacing::local);
+        for (Index j = 0; j < cloud.size(); ++j)
+            if ((cloud.x().col(j).array() > 0.5 * delta && cloud.x().col(j).array() < 1 - 0.5 * delta).all())
+                CHECK(local[j] == support::relative(delta, 1e-13));
+    }
 }
 
 TEST_CASE("spacing: the mean is exact on grids of any sides, and on a line or in a plane in space") {
@@ -123,51 +121,48 @@ TEST_CASE("spacing: the mean is exact on grids of any sides, and on a line or in
     CHECK(spacing(Cloud<3>(line), Spacing::mean)[0] == support::relative(3, 1e-14));
 }
 
-TEST_CASE("spacing: in clouds of every kind the distances are those of brute force") {
-    in_every_dimension([]<int dim>() {
-        for (const auto& [kind, x] : support::all_kinds<dim>(343)) {
-            const Cloud<dim> cloud(x);
-            const Index N = cloud.size();
-            for (const Index k : {1, 4, 6})
-                if (k < N)
-                    CHECK(close(spacing(cloud, Spacing::to_nearest(k)), by_brute_force<dim>(x, k), 1e-15));
-            CHECK((spacing(cloud, Spacing::nearest) == spacing(cloud, Spacing::to_nearest(1))).all());
-            CHECK(close(spacing(cloud, Spacing::local),
-                        by_brute_force<dim>(x, std::min<Index>(2 * dim, N - 1)), 1e-15));
-            CHECK(spacing(cloud, Spacing::largest)[0] == spacing(cloud, Spacing::nearest).maxCoeff());
-        }
-    });
+TEST_CASE_TEMPLATE("spacing: in clouds of every kind the distances are those of brute force", Dim, OnLine,
+                   InPlane, InSpace) {
+    constexpr int dim = Dim::value;
+    for (const auto& [kind, x] : support::all_kinds<dim>(343)) {
+        const Cloud<dim> cloud(x);
+        const Index N = cloud.size();
+        for (const Index k : {1, 4, 6})
+            if (k < N) CHECK(close(spacing(cloud, Spacing::to_nearest(k)), by_brute_force<dim>(x, k), 1e-15));
+        CHECK((spacing(cloud, Spacing::nearest) == spacing(cloud, Spacing::to_nearest(1))).all());
+        CHECK(close(spacing(cloud, Spacing::local), by_brute_force<dim>(x, std::min<Index>(2 * dim, N - 1)),
+                    1e-15));
+        CHECK(spacing(cloud, Spacing::largest)[0] == spacing(cloud, Spacing::nearest).maxCoeff());
+    }
 }
 
-TEST_CASE("spacing: with the positions it grows in proportion, to the last bit for a power of two") {
-    in_every_dimension([]<int dim>() {
-        const Points<dim> x = support::random_points<dim>(200, 5);
-        for (const double factor : {0.125, 1024.0}) {
-            const Cloud<dim> cloud(x), scaled(factor * x);
-            for (const Spacing& which : distances())
-                CHECK((spacing(scaled, which) == factor * spacing(cloud, which)).all());
-            CHECK(spacing(scaled, Spacing::mean)[0] == factor * spacing(cloud, Spacing::mean)[0]);
-        }
-    });
-}
-
-TEST_CASE("spacing: a rotation changes no distance") {
-    in_every_dimension([]<int dim>() {
-        const Points<dim> x = support::random_points<dim>(200, 5);
-        using Matrix = Eigen::Matrix<double, dim, dim>;
-        const Matrix turn = Eigen::HouseholderQR<Matrix>(support::random_points<dim>(dim, 9)).householderQ();
+TEST_CASE_TEMPLATE("spacing: with the positions it grows in proportion, to the last bit for a power of two",
+                   Dim, OnLine, InPlane, InSpace) {
+    constexpr int dim = Dim::value;
+    const Points<dim> x = support::random_points<dim>(200, 5);
+    for (const double factor : {0.125, 1024.0}) {
+        const Cloud<dim> cloud(x), scaled(factor * x);
         for (const Spacing& which : distances())
-            CHECK(close(spacing(Cloud<dim>(turn * x), which), spacing(Cloud<dim>(x), which), 1e-11));
-    });
+            CHECK((spacing(scaled, which) == factor * spacing(cloud, which)).all());
+        CHECK(spacing(scaled, Spacing::mean)[0] == factor * spacing(cloud, Spacing::mean)[0]);
+    }
 }
 
-TEST_CASE("spacing: the order of the particles does not matter") {
-    in_every_dimension([]<int dim>() {
-        const Points<dim> x = support::random_points<dim>(200, 5);
-        const Cloud<dim> cloud(x), reversed(x.rowwise().reverse());
-        for (const Spacing& which : distances())
-            CHECK((spacing(reversed, which) == spacing(cloud, which).reverse()).all());
-    });
+TEST_CASE_TEMPLATE("spacing: a rotation changes no distance", Dim, OnLine, InPlane, InSpace) {
+    constexpr int dim = Dim::value;
+    const Points<dim> x = support::random_points<dim>(200, 5);
+    using Matrix = Eigen::Matrix<double, dim, dim>;
+    const Matrix turn = Eigen::HouseholderQR<Matrix>(support::random_points<dim>(dim, 9)).householderQ();
+    for (const Spacing& which : distances())
+        CHECK(close(spacing(Cloud<dim>(turn * x), which), spacing(Cloud<dim>(x), which), 1e-11));
+}
+
+TEST_CASE_TEMPLATE("spacing: the order of the particles does not matter", Dim, OnLine, InPlane, InSpace) {
+    constexpr int dim = Dim::value;
+    const Points<dim> x = support::random_points<dim>(200, 5);
+    const Cloud<dim> cloud(x), reversed(x.rowwise().reverse());
+    for (const Spacing& which : distances())
+        CHECK((spacing(reversed, which) == spacing(cloud, which).reverse()).all());
 }
 
 TEST_CASE("spacing: given lengths stay as they are, and their number is checked") {
