@@ -19,7 +19,7 @@ endef
 install: $(methods) ## install headers, library and particle-methods.pc below PREFIX (default /usr/local)
 	@$(call install_below,$(PREFIX),$(DESTDIR))
 
-examples: $(methods) ## build and run the example as a user would: outside of the tree, on what install installs
+examples: $(methods) ## build and run the examples as a user would: outside of the tree, on what install installs
 	@$(call install_below,$(BUILD)/install,)
 	export PKG_CONFIG_PATH="$$prefix/lib/pkgconfig"
 	folder=$$(mktemp -d)
@@ -27,3 +27,4 @@ examples: $(methods) ## build and run the example as a user would: outside of th
 	cp examples/Makefile examples/*.cpp "$$folder"
 	env -u MAKEFLAGS make --no-print-directory -C "$$folder"
 	"$$folder/heat_equation"
+	"$$folder/laplacian"
