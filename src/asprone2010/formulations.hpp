@@ -34,13 +34,13 @@ struct Formulation {
 
 namespace detail {
 
-template <class Scalar, class Rule, class Second = std::nullptr_t>
+template <class Scalar, class... Rule>
 Formulation<Scalar> formulation(std::string_view name, std::string_view section, std::string_view equations,
-                                Index particles, Rule /*stateless*/, Second /*stateless*/ = {}) {
+                                Index particles, Rule... /*stateless*/) {
     return {name, section, equations, particles,
             [](const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing,
                const particles::Requirement& required) {
-                return particles::assemble(line, smoothing, required, Rule{}, Second{});
+                return particles::assemble(line, smoothing, required, Rule{}...);
             }};
 }
 

@@ -11,16 +11,50 @@ namespace batra2008::ssph_basis {
 
 namespace {
 
+/// The basis from those of some particles that lie in the kernel's support.
+template <int m, int dim>
+Basis<dim, m> basis_on(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
+                       const Point<dim>& x, double h, std::vector<int> near) {
+    auto seen = particles::neighbourhood<dim>(cloud, kernel, x, h, near);
+    return Basis<dim, m>(std::move(seen), std::move(near), h);
+}
+
 /// Whether these particles of a cloud determine the monomials.
 template <int m, int dim>
 bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                 const Point<dim>& x, double h, const std::vector<int>& among) {
     try {
-        const Basis<dim, m> basis(particles::surroundings(cloud, kernel, x, h, among), h);
+        basis_on<m>(cloud, kernel, x, h, particles::in_support<dim>(cloud, kernel, x, h, among));
         return true;
     } catch (const particles::SingularNeighbourhood&) {
         return false;
     }
+}
+
+/// "particles 3 and 7 lie 0.001 apart, …", where a particle's nearest neighbour is ten times as near as its second
+/// nearest; else empty.
+template <int dim>
+std::string close_pair(const particles::Cloud<dim>& cloud, int particle) {
+    if (cloud.size() < 3) return "";
+    const Point<dim> x = cloud.x().col(particle);
+    const double apart = cloud.apart()[particle], second = std::sqrt(cloud.cells().nearest(x, 3).back());
+    if (second < 10 * apart) return "";
+    std::vector<int> pair = cloud.within(x, 2 * apart);
+    return "particles " + std::to_string(pair.front()) + " and " + std::to_string(pair.back()) + " lie " +
+           base::shown(apart, 3) + " apart, the next one " + base::shown(second, 3) +
+           "; leave one of them out";
+}
+
+/// "--smoothing-from 6-nearest": with as many neighbours as there are monomials, if that is enough.
+template <int m, int dim>
+std::string nearest_remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x,
+                           int particle) {
+    constexpr Index n = terms<dim, m>;
+    if (cloud.size() <= n) return "";
+    const double h = std::sqrt(cloud.cells().nearest(cloud.x().col(particle), n + 1).back());
+    const bool enough =
+        determined<m>(cloud, particles::TruncatedGaussian<dim>(rho), x, h, cloud.around(x, rho * h));
+    return enough ? "--smoothing-from " + std::to_string(n) + "-nearest" : "";
 }
 
 /// "try --scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth.
@@ -28,6 +62,10 @@ template <int m, int dim>
 std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h) {
     constexpr Index n = terms<dim, m>;
     if (cloud.size() < n) return "take at least " + std::to_string(n) + " particles";
+    const int particle = cloud.nearest(x);
+    const std::string from_nearest = nearest_remedy<m>(cloud, rho, x, particle);
+    if (const std::string pair = close_pair(cloud, particle); !pair.empty())
+        return pair + (from_nearest.empty() ? "" : ", or try " + from_nearest);
     Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
     std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
     const double reaching_n = std::floor(10 * distance[n - 1] / h * (1 + 1e-6) + 1);
@@ -36,7 +74,8 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
         const double scaling = (first + more) / 10;
         const particles::TruncatedGaussian<dim> larger(scaling);
         if (determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h)))
-            return "try --scaling " + base::shown(scaling);
+            return "try --scaling " + base::shown(scaling) +
+                   (from_nearest.empty() ? "" : " or " + from_nearest);
     }
     return "take other particles";
 }
@@ -60,11 +99,11 @@ template <int m, int dim>
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h, const std::vector<int>& among) {
-    Surroundings<dim> near = particles::surroundings(cloud, kernel, x, h, among);
-    const std::size_t found = near.particle.size();
+    std::vector<int> near = particles::in_support<dim>(cloud, kernel, x, h, among);
+    const std::size_t found = near.size();
     if (found < static_cast<std::size_t>(terms<dim, m>)) refuse<m>(cloud, kernel.rho(), x, h, found, "");
     try {
-        return Basis<dim, m>(std::move(near), h);
+        return basis_on<m>(cloud, kernel, x, h, std::move(near));
     } catch (const particles::SingularNeighbourhood& singular) {
         refuse<m>(cloud, kernel.rho(), x, h, found,
                   std::string(", which they do not determine: ") + singular.what());
@@ -80,9 +119,8 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 template <int m, int dim>
 std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
                                         const particles::TruncatedGaussian<dim>& kernel, Index particle,
-                                        Index enough) {
+                                        double h, Index enough) {
     const Point<dim> x = cloud.x().col(particle);
-    const double h = cloud.h()[particle];
     for (double rho = 1.5; rho < kernel.rho(); rho *= 1.1) {
         std::vector<int> among = cloud.within(x, rho * h);
         if (static_cast<Index>(among.size()) >= enough && determined<m>(cloud, kernel, x, h, among))
@@ -98,7 +136,7 @@ std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
                                     const Point<dim>&, double);                                             \
     template std::vector<int> nearest_that_determine<m>(                                                    \
-        const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, Index, Index);
+        const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, Index, double, Index);
 BATRA2008_BASIS_AT(1, 1)
 BATRA2008_BASIS_AT(1, 2)
 BATRA2008_BASIS_AT(1, 3)

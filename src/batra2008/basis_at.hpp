@@ -23,11 +23,11 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 
 /// The particles of a growing disc around a particle, as soon as there are enough of them and they determine
 /// the monomials; all within the kernel's support if that is not larger.
-/// \param enough least number of particles
+/// \param h smoothing length of the particle [length] \param enough least number of particles
 /// \return numbers in increasing order
 template <int m, int dim>
 std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
                                         const particles::TruncatedGaussian<dim>& kernel, Index particle,
-                                        Index enough);
+                                        double h, Index enough);
 
 }  // namespace batra2008::ssph_basis

@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "particles/cloud.hpp"
 #include "particles/local_system.hpp"
+#include "particles/multi_index.hpp"
+#include "particles/neighbourhood.hpp"
+#include "particles/operators.hpp"
 #include "solvers/cholesky.hpp"
 
 /// Batra and Zhang (2008), section by section.
@@ -22,7 +24,6 @@ using particles::Column;
 using particles::Index;
 using particles::Point;
 using particles::Points;
-using particles::Surroundings;
 
 /// Section 2, the SSPH basis: a Taylor expansion around a place x, fitted to the values at the particles near
 /// x.
@@ -42,7 +43,8 @@ using particles::Surroundings;
 /// | \f$m\f$ | `m` | degree up to which the monomials are complete: 1, 2 or 3 |
 ///
 /// The code serves one, two and three dimensions. Offsets are \f$s = (\xi - x)/h\f$, in units of the
-/// smoothing length: the condition of C then depends neither on h nor on the unit of length.
+/// smoothing length: the condition of C then depends neither on h nor on the unit of length. The order of
+/// \eq{B2.3} is that of particles::monomials().
 ///
 /// Departures from the print: below \eq{B2.10} the product of the one-dimensional determinant runs over n1,
 /// n, n3; it must be n1, n2, n3. Enough particles alone do not make C regular: in two dimensions, particles
@@ -52,11 +54,12 @@ using particles::Surroundings;
 /// What this section claims, and what was measured: \claims{B-2}.
 namespace ssph_basis {
 
-/// Number of monomials up to degree m.
-template <int dim, int m>
-inline constexpr int terms = dim == 1   ? m + 1
-                             : dim == 2 ? (m + 1) * (m + 2) / 2
-                                        : (m + 1) * (m + 2) * (m + 3) / 6;
+using particles::Exponents;
+using particles::factorial;
+using particles::monomials;
+using particles::Neighbourhood;
+using particles::order;
+using particles::terms;
 
 /// A row for each monomial, a column for each particle of a support: H, D and K. Stored by rows, so that
 /// loops over the particles run through memory in order. Sizes are not part of the types: all dimensions and
@@ -73,51 +76,9 @@ using Vector = typename solvers::Cholesky<Scalar>::Vector;
 template <class Scalar>
 using RowVector = Eigen::Matrix<Scalar, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 20>;
 
-/// Exponents of a monomial, one for each coordinate.
-template <int dim>
-using Exponents = std::array<int, dim>;
-
 /// The derivatives of a function at a place, by their exponents.
 template <int dim>
 using Derivatives = std::function<double(const Exponents<dim>&)>;
-
-/// The monomials in the order of \eq{B2.3}: by degree; the pure powers of a degree come first.
-template <int dim, int m>
-constexpr std::array<Exponents<dim>, terms<dim, m>> monomials() {
-    std::array<Exponents<dim>, terms<dim, m>> all{};
-    std::size_t count = 1;
-    for (int degree = 1; degree <= m; ++degree) {
-        for (std::size_t axis = 0; axis < dim; ++axis) all[count++][axis] = degree;
-        if constexpr (dim == 2)
-            for (int first = degree - 1; first > 0; --first) all[count++] = {first, degree - first};
-        if constexpr (dim == 3)
-            for (std::size_t axis = 0; axis < 3; ++axis)  // 12, 23, 31
-                for (int first = degree - 1; first > 0; --first) {
-                    all[count][axis] = first;
-                    all[count++][(axis + 1) % 3] = degree - first;
-                }
-        if constexpr (dim == 3)
-            if (degree == 3) all[count++] = {1, 1, 1};
-    }
-    return all;
-}
-
-/// a! for the exponents a: the factor between \f$\partial^a f\f$ and the entry of Q.
-template <int dim>
-constexpr int factorial(const Exponents<dim>& a) {
-    int product = 1;
-    for (const int exponent : a)
-        for (int k = 2; k <= exponent; ++k) product *= k;
-    return product;
-}
-
-/// Degree of a monomial, which is the order of its derivative in Q.
-template <int dim>
-constexpr int order(const Exponents<dim>& a) {
-    int sum = 0;
-    for (const int exponent : a) sum += exponent;
-    return sum;
-}
 
 namespace detail {
 
@@ -320,13 +281,13 @@ class Basis {
   public:
     static constexpr int n = terms<dim, m>;
 
-    /// \param near the particles in the kernel's support around the place
-    /// \param h smoothing length [length]
+    /// \param near what the place sees of the particles in the kernel's support
+    /// \param particle their numbers \param h smoothing length [length]
     /// \throws particles::SingularNeighbourhood if the particles do not determine the monomials: they are too
     ///         few, or all lie on a curve (a surface) that a polynomial of degree m describes
-    Basis(Surroundings<dim, Scalar> near, Scalar h);
+    Basis(Neighbourhood<Scalar, dim> near, std::vector<int> particle, Scalar h);
 
-    [[nodiscard]] const std::vector<int>& particle() const { return near_.particle; }
+    [[nodiscard]] const std::vector<int>& particle() const { return particle_; }
     [[nodiscard]] Table<Scalar> K() const;
     [[nodiscard]] Column<Scalar> row(Index I) const;
     [[nodiscard]] Column<Scalar> DK(Index I, int axis) const;
@@ -353,7 +314,8 @@ class Basis {
 
     [[nodiscard]] static Vector<Scalar> T(Index I, int axis);
 
-    Surroundings<dim, Scalar> near_;
+    Neighbourhood<Scalar, dim> near_;
+    std::vector<int> particle_;
     Scalar h_;
     Table<Scalar> H_, D_;
     Matrix<Scalar> C_;
@@ -361,10 +323,11 @@ class Basis {
 };
 
 template <int dim, int m, class Scalar>
-Basis<dim, m, Scalar>::Basis(Surroundings<dim, Scalar> near, Scalar h)
+Basis<dim, m, Scalar>::Basis(Neighbourhood<Scalar, dim> near, std::vector<int> particle, Scalar h)
     : near_(std::move(near)),
+      particle_(std::move(particle)),
       h_(h),
-      H_(H<dim, m, Scalar>(near_.s)),
+      H_(H<dim, m, Scalar>(near_.r)),
       D_(D<Scalar>(H_, near_.W)),
       C_(C<Scalar>(D_, H_)),
       factors_(C_) {
@@ -422,8 +385,8 @@ Vector<Scalar> Basis<dim, m, Scalar>::T(Index I, int axis) {
 /// \return weights [1/length to the order of the derivative + 1]
 template <int dim, int m, class Scalar>
 Column<Scalar> Basis<dim, m, Scalar>::DK(Index I, int axis) const {
-    const Column<Scalar>& W = near_.W;
-    const Column<Scalar> DW = 2 * near_.s.col(axis) * (W + near_.edge);
+    const Column<Scalar>& W = near_.W;  // with respect to the place, not to the particle: −DW
+    const Column<Scalar> DW = -near_.DW.col(axis);
     const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I - 1));
     const Column<Scalar> p = P_times(a);
     const Vector<Scalar> DC_a = T(I, axis) + H_.lazyProduct((DW * p).matrix());
@@ -474,6 +437,22 @@ Column<Scalar> derivative(const Basis<dim, m, Scalar>& basis, const std::type_id
     static constexpr auto all = monomials<dim, m>();
     const Index I = std::find(all.begin(), all.end(), a) - all.begin() + 1;
     return factorial<dim>(a) * basis.row(I);
+}
+
+/// The first and second derivatives at a particle, as particles::assemble() takes them. The weights of a
+/// derivative sum to zero, so that they serve differences as well.
+/// \return weights on \f$f(\xi_j) - f(x)\f$ in units of 1/h and 1/h²
+template <int m, int dim, class Scalar>
+particles::Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>& near) {
+    const Basis<dim, m, Scalar> basis(near, {}, Scalar(1));
+    const auto count = near.W.size();
+    particles::Derivatives<Scalar, dim> all{particles::Offsets<Scalar, dim>(count, dim),
+                                            {count, particles::second_derivatives<dim>}};
+    for (int k = 0; k < dim; ++k) all.first.col(k) = basis.row(2 + k);
+    for (int k = 0; k < particles::second_derivatives<dim>; ++k)
+        all.second.col(k) = factorial<dim>(monomials<dim, 2>()[static_cast<std::size_t>(1 + dim + k)]) *
+                            basis.row(2 + dim + k);
+    return all;
 }
 
 /// The other way to a derivative, that of finite elements: differentiate the basis function of the values.

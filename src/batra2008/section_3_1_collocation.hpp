@@ -27,7 +27,7 @@ struct Equations {
 template <class EquationsOf>
 System assembled(const std::vector<std::vector<int>>& near, const EquationsOf& equations) {
     const auto N = static_cast<Index>(near.size());
-    System system{solvers::rows_in_pairs(near), Eigen::VectorXd(2 * N)};
+    System system{solvers::rows_in_blocks(near, 2), Eigen::VectorXd(2 * N)};
     base::for_each_index(N, [&](Index I) {
         const auto [particle, K, f] = equations(I);
         solvers::set_row(system.A, 2 * I, particle, K.K11, K.K12);
@@ -155,37 +155,39 @@ Equations equations_at(const Problem& problem, const Point<2>& x, const ssph_bas
 /// The system with equations on given neighbours.
 /// \tparam m degree of the monomials, 2 or 3
 /// \param near for each particle the neighbours to choose from, in increasing order
+/// \param h smoothing length of each particle [length]
 /// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
 System system_on(const std::vector<std::vector<int>>& near, const Problem& problem, const Cloud<2>& cloud,
-                 const Kernel& kernel) {
+                 const Kernel& kernel, const Column<double>& h) {
     static_assert(m >= 2, "equilibrium has second derivatives");
     return assembled(near, [&](Index I) {
         const Point<2> x = cloud.x().col(I);
         return equations_at<m>(
-            problem, x,
-            ssph_basis::basis_at<m>(cloud, kernel, x, cloud.h()[I], near[static_cast<std::size_t>(I)]));
+            problem, x, ssph_basis::basis_at<m>(cloud, kernel, x, h[I], near[static_cast<std::size_t>(I)]));
     });
 }
 
 /// The system; if it is large, with the same equations on the nearest particles, by the same kernel.
 /// \tparam m degree of the monomials, 2 or 3
+/// \param h smoothing length of each particle [length]
 /// \param small largest number of particles for which those equations are left out
 /// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
-System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel,
+System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               Index small = solvers::small_system / 2) {
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
     base::for_each_index(cloud.size(), [&](Index I) {
-        near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * cloud.h()[I]);
+        near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * h[I]);
     });
-    System system = system_on<m>(near, problem, cloud, kernel);
+    System system = system_on<m>(near, problem, cloud, kernel, h);
     if (cloud.size() <= small) return system;
     const Index enough = solvers::enough_neighbours(2 * cloud.size(), ssph_basis::terms<2, m>);
     base::for_each_index(cloud.size(), [&](Index I) {
-        near[static_cast<std::size_t>(I)] = ssph_basis::nearest_that_determine<m>(cloud, kernel, I, enough);
+        near[static_cast<std::size_t>(I)] =
+            ssph_basis::nearest_that_determine<m>(cloud, kernel, I, h[I], enough);
     });
-    system.nearest = system_on<m>(near, problem, cloud, kernel).A;
+    system.nearest = system_on<m>(near, problem, cloud, kernel, h).A;
     return system;
 }
 

@@ -420,22 +420,24 @@ struct WeakForm {
 
 /// The system \eq{B3.22} of a problem.
 /// \tparam m degree of the monomials, 1 to 3
+/// \param h smoothing length of each particle [length]
 /// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
-System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, const WeakForm& form) {
+System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
+              const WeakForm& form) {
     const particles::Region region = elastostatics::region(problem);
     const Eigen::Matrix3d D = elastostatics::D(problem.material);
     const Kernel test(form.test_scaling);
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
     base::for_each_index(cloud.size(), [&](Index I) {
         near[static_cast<std::size_t>(I)] =
-            cloud.within(cloud.x().col(I), (kernel.rho() + test.rho()) * cloud.h()[I]);
+            cloud.within(cloud.x().col(I), (kernel.rho() + test.rho()) * h[I]);
     });
     const auto Omega = [&](Index I) {
-        return subdomain(problem, region, cloud.x().col(I), cloud.h()[I], test, form.gauss);
+        return subdomain(problem, region, cloud.x().col(I), h[I], test, form.gauss);
     };
     const auto basis_near = [&](Index I) {
-        return Near<m>{cloud, kernel, cloud.h()[I], near[static_cast<std::size_t>(I)]};
+        return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)]};
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
     return system(

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "particles/cloud.hpp"
 #include "particles/region.hpp"
+#include "particles/truncated_gaussian.hpp"
 #include "solvers/sparse.hpp"
 
 namespace batra2008 {

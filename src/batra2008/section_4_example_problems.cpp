@@ -23,26 +23,32 @@ auto with_degree(const Discretisation& how, const Work& work) {
 
 }  // namespace
 
+Column<double> smoothing_lengths(const Cloud<2>& cloud, const Discretisation& how) {
+    const Column<double> h = particles::spacing(cloud, how.smoothing_from);
+    return h.size() == 1 ? Column<double>(Column<double>::Constant(cloud.size(), h[0])) : h;
+}
+
 System system(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how) {
     const Kernel kernel(how.scaling);
+    const Column<double> h = smoothing_lengths(cloud, how);
     return with_degree(how, [&](auto m) -> System {
         if (how.method != Method::strong)
             return mlpg::system<m>(
-                problem, cloud, kernel,
+                problem, cloud, kernel, h,
                 {how.method == Method::weak1 ? mlpg::Gradient::own_basis : mlpg::Gradient::differentiated,
                  how.penalty, how.test_scaling, how.gauss});
-        if constexpr (m >= 2) return collocation::system<m>(problem, cloud, kernel);
+        if constexpr (m >= 2) return collocation::system<m>(problem, cloud, kernel, h);
         throw base::InvalidInput("strong: equilibrium has second derivatives; take --degree 2 or 3");
     });
 }
 
 Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how) {
     elastostatics::check_inside(cloud, problem);
-    return {how, problem.material, solved(system(problem, cloud, how))};
+    return {how, problem.material, smoothing_lengths(cloud, how), solved(system(problem, cloud, how))};
 }
 
 State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
-    const double h = cloud.h()[cloud.nearest(x)];
+    const double h = solution.h[cloud.nearest(x)];
     return with_degree(solution.how, [&](auto m) -> State {
         const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h);
         const Column<double> K1 = ssph_basis::K<1>(basis);

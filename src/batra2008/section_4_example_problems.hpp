@@ -7,6 +7,7 @@
 
 #include "base/choose.hpp"
 #include "batra2008/section_3_elastostatics.hpp"
+#include "particles/spacing.hpp"
 
 namespace batra2008 {
 
@@ -45,12 +46,17 @@ struct Discretisation {
     double penalty = 0;       ///< α [force/length³]; for the weak forms
     double test_scaling = 1;  ///< ρ of the test function
     Index gauss = 10;         ///< \f$n_G\f$
+    particles::Spacing smoothing_from = particles::Spacing::nearest;  ///< h, as one of the spacings
 };
 
-/// The solution of a problem: the unknowns, and the method and material by which they are a field.
+/// The smoothing length of each particle. [length]
+Column<double> smoothing_lengths(const Cloud<2>& cloud, const Discretisation& how);
+
+/// The solution of a problem: the unknowns, and what makes them a field.
 struct Solution {
     Discretisation how;
     elastostatics::Material material;
+    Column<double> h;   ///< smoothing length of each particle [length]
     Eigen::VectorXd u;  ///< \f$u_1, u_2\f$ of each particle [length]
 };
 

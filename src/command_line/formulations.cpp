@@ -11,16 +11,6 @@ namespace command_line {
 
 namespace {
 
-/// The derivatives of the SSPH basis with monomials of degree 2 at a particle, in units of h. The weights of
-/// a derivative sum to zero, so that they serve differences as well.
-/// \param r, W offsets and kernel values of the particles
-template <class Scalar>
-particles::Derivatives<Scalar> derivatives(const particles::Column<Scalar>& r,
-                                           const particles::Column<Scalar>& W) {
-    const batra2008::ssph_basis::Basis<1, 2, Scalar> basis({r, W, Scalar(0), {}}, Scalar(1));
-    return {batra2008::ssph_basis::derivative(basis, {1}), batra2008::ssph_basis::derivative(basis, {2})};
-}
-
 /// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15)
 /// with ρ = 4; the factor G cancels.
 template <class Scalar>
@@ -29,8 +19,9 @@ particles::Operators<Scalar> ssph(const particles::Line<Scalar>& line,
                                   const particles::Requirement& required) {
     const bool lowered = std::holds_alternative<particles::Gaussian<>>(smoothing.kernel());
     const Scalar edge = lowered ? particles::Gaussian<>::W(Scalar(4)) : Scalar(0);
-    return particles::assemble(line, smoothing, required, [&](const particles::Neighbourhood<Scalar>& near) {
-        return derivatives<Scalar>(near.r, (near.W - edge).max(Scalar(0)));
+    return particles::assemble(line, smoothing, required, [edge](particles::Neighbourhood<Scalar> near) {
+        near.W = (near.W - edge).max(Scalar(0));
+        return batra2008::ssph_basis::derivatives<2>(near);
     });
 }
 

@@ -31,21 +31,21 @@ namespace banded {
 template <class Scalar>
 using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor>;
 
-/// A square matrix whose row i stores the columns near[i]. Columns and values are not yet written.
+/// A matrix with a column for each particle and a row for some of them, which stores the columns near[i].
+/// Columns and values are not yet written.
 /// \throws InvalidInput for more entries than an int can count
-template <class Scalar>
-Rows<Scalar> allocated(const std::vector<Range>& near) {
-    const auto N = static_cast<Index>(near.size());
+template <class Scalar, class Neighbours>
+Rows<Scalar> allocated(const std::vector<Neighbours>& near, const Range& rows) {
+    const auto stored = [&](Index i) { return static_cast<Index>(near[static_cast<std::size_t>(i)].size()); };
     Index entries = 0;
-    for (const Range& range : near) entries += range.size();
+    for (Index i = rows.first; i < rows.last; ++i) entries += stored(i);
     if (entries > std::numeric_limits<int>::max())
         throw InvalidInput("an operator of " + std::to_string(entries) +
                            " weights is too large; take fewer particles or a smaller smoothing length");
-    Rows<Scalar> D(N, N);
+    Rows<Scalar> D(rows.size(), static_cast<Index>(near.size()));
     D.outerIndexPtr()[0] = 0;
-    for (Index i = 0; i < N; ++i)
-        D.outerIndexPtr()[i + 1] =
-            D.outerIndexPtr()[i] + static_cast<int>(near[static_cast<std::size_t>(i)].size());
+    for (Index i = 0; i < rows.size(); ++i)
+        D.outerIndexPtr()[i + 1] = D.outerIndexPtr()[i] + static_cast<int>(stored(rows.first + i));
     D.resizeNonZeros(entries);
     prefer_large_pages(D.valuePtr(), entries);
     prefer_large_pages(D.innerIndexPtr(), entries);
@@ -54,10 +54,16 @@ Rows<Scalar> allocated(const std::vector<Range>& near) {
 
 /// Writes the columns of a row. \return the address of its first value
 template <class Scalar>
-Scalar* begin_row(Rows<Scalar>& D, Index i, const Range& near) {
-    const Index start = D.outerIndexPtr()[i];
+Scalar* begin_row(Rows<Scalar>& D, Index row, const Range& near) {
+    const Index start = D.outerIndexPtr()[row];
     std::iota(D.innerIndexPtr() + start, D.innerIndexPtr() + start + near.size(),
               static_cast<int>(near.first));
+    return D.valuePtr() + start;
+}
+template <class Scalar>
+Scalar* begin_row(Rows<Scalar>& D, Index row, const std::vector<int>& near) {
+    const Index start = D.outerIndexPtr()[row];
+    std::copy(near.begin(), near.end(), D.innerIndexPtr() + start);
     return D.valuePtr() + start;
 }
 
@@ -71,26 +77,30 @@ void annihilate_constants(Scalar* row, Index size, Index own) {
     for (Index k = own + 1; k < size; ++k) row[own] -= row[k];
 }
 
-/// Writes row i: weights on differences, times their unit.
+/// Writes a row: weights on differences, times their unit.
 /// \param near the particle's neighbours \param own its place among them
-template <class Scalar>
-void set_row(Rows<Scalar>& D, Index i, const Range* near, Index own, const Column<Scalar>& weights,
+template <class Scalar, class Neighbours, class Weights>
+void set_row(Rows<Scalar>& D, Index row, const Neighbours& near, Index own, const Weights& weights,
              const Scalar& unit) {
-    Scalar* const row = begin_row(D, i, *near);
-    Eigen::Map<Column<Scalar>>(row, weights.size()) = weights * unit;
-    annihilate_constants(row, weights.size(), own);
+    Scalar* const values = begin_row(D, row, near);
+    Eigen::Map<Column<Scalar>>(values, weights.size()) = weights * unit;
+    annihilate_constants(values, weights.size(), own);
 }
 
-/// The same for each particle of a Pack, from i on. Weights of particles that a lane does not reach are
+/// The same for those particles of a Pack that have a row. Weights of particles that a lane does not reach are
 /// skipped.
-inline void set_row(Rows<double>& D, Index i, const Range* near, Index own, const Column<Pack>& weights,
-                    const Pack& unit) {
-    Column<Pack> rows = weights * unit;
-    annihilate_constants(rows.data(), rows.size(), own);
-    for (int lane = 0; lane < Pack::lanes; ++lane) {
+/// \param i first particle of the Pack \param near neighbours of each of its particles
+/// \param rows particles that have a row
+inline void set_rows(Rows<double>& D, const Range& rows, Index i, const Range* near, Index own,
+                     const Column<Pack>& weights, const Pack& unit) {
+    Column<Pack> all = weights * unit;
+    annihilate_constants(all.data(), all.size(), own);
+    const Index first = std::max<Index>(rows.first - i, 0),
+                last = std::min<Index>(rows.last - i, Pack::lanes);
+    for (auto lane = static_cast<int>(first); lane < last; ++lane) {
         const Index skipped = near[lane].first - (i + lane - own), size = near[lane].size();
-        double* const row = begin_row(D, i + lane, near[lane]);
-        const Pack* const from = rows.data() + skipped;
+        double* const row = begin_row(D, i + lane - rows.first, near[lane]);
+        const Pack* const from = all.data() + skipped;
         for (Index k = 0; k < size; ++k) row[k] = from[k][lane];
     }
 }
@@ -115,14 +125,23 @@ inline std::optional<Sides> sides_of_pack(const std::vector<Range>& near, Index 
     return sides;
 }
 
-/// Calls `together(i)` for each Pack, in parallel, with its first particle i; where it returns false, calls
-/// `alone(i)` for each particle of the Pack.
+/// The particles of all Packs that have one of `rows`. Packs begin at multiples of their size, so that a row
+/// has the same bytes whatever other rows are computed.
+inline Range whole_packs(const Range& rows, Index N) {
+    constexpr Index lanes = Pack::lanes;
+    return {rows.first / lanes * lanes, std::min((rows.last + lanes - 1) / lanes * lanes, N)};
+}
+
+/// Calls `together(i)` for each Pack that has one of `rows`, in parallel, with its first particle i; where it
+/// returns false, calls `alone(i)` for each of the rows in the Pack.
 template <class Together, class Alone>
-void for_each_pack(Index N, const Together& together, const Alone& alone) {
-    for_each_index((N + Pack::lanes - 1) / Pack::lanes, [&](Index pack) {
-        const Index first = pack * Pack::lanes, last = std::min(first + Pack::lanes, N);
+void for_each_pack(const Range& rows, const Together& together, const Alone& alone) {
+    const Index before = rows.first / Pack::lanes;
+    for_each_index((rows.last + Pack::lanes - 1) / Pack::lanes - before, [&](Index pack) {
+        const Index first = (before + pack) * Pack::lanes;
         if (together(first)) return;
-        for (Index i = first; i < last; ++i) alone(i);
+        for (Index i = std::max(first, rows.first); i < std::min(first + Pack::lanes, rows.last); ++i)
+            alone(i);
     });
 }
 
@@ -178,7 +197,7 @@ Rows<Scalar> product(const Rows<Scalar>& A, const Rows<Scalar>& B) {
         }
     });
 
-    Rows<Scalar> AB = allocated<Scalar>(near);
+    Rows<Scalar> AB = allocated<Scalar>(near, {0, N});
     constexpr Index tile = 64, block = 16;
     using Block = Eigen::Array<Scalar, block, 1>;
     for_each_index((N + tile - 1) / tile, [&](Index t) {

@@ -12,8 +12,6 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "particles/cells.hpp"
-#include "particles/points.hpp"
-#include "particles/truncated_gaussian.hpp"
 
 namespace particles {
 
@@ -22,35 +20,65 @@ using base::Index;
 using base::InvalidInput;
 using base::shown;
 
-/// The particles of a cloud around a place, with one entry for each particle within reach. Offsets and kernel
-/// are in units of the smoothing length h, so that the condition of local systems does not depend on h.
-template <int dim, class Scalar = double>
-struct Surroundings {
-    Eigen::Array<Scalar, Eigen::Dynamic, dim> s;  ///< offsets \f$(\xi_j - x)/h\f$
-    Column<Scalar> W;                             ///< kernel values, for h = 1
-    Scalar edge;                ///< the kernel's derivative is \f$dW/d|s|^2 = -(W + \text{edge})\f$
-    std::vector<int> particle;  ///< the particles' numbers in the cloud
-};
+namespace detail {
 
-/// Particles in the plane or in space, with a smoothing length each.
+/// The distance δ of a grid of N particles that fills a box with sides L: \f$\prod_a (L_a/\delta + 1) = N\f$.
+/// Newton's method for 1/δ starts at \f$(N-1)/\sum_a L_a\f$, which is too large, and decreases.
+template <int dim>
+double spacing_of_grid(const Point<dim>& L, Index N) {
+    double per_length = static_cast<double>(N - 1) / L.sum();
+    while (true) {
+        const Eigen::Array<double, dim, 1> along = L.array() * per_length + 1;
+        const double less = (1 - static_cast<double>(N) / along.prod()) / (L.array() / along).sum();
+        if (!(per_length - less < per_length)) return 1 / per_length;
+        per_length -= less;
+    }
+}
+
+}  // namespace detail
+
+/// Particles in any order in one, two or three dimensions: positions, and a volume for each particle
+/// [length^dim].
 template <int dim>
 class Cloud {
   public:
-    /// Smoothing lengths are the distances Δ to the nearest neighbours.
+    /// All volumes are \f$\delta^{\dim}\f$ with the mean distance δ: on a grid, the volume of a cell.
     /// \param x positions, at least two, no two alike
     /// \throws InvalidInput naming the particle where a condition is broken
-    explicit Cloud(Points<dim> x) : x_(checked(std::move(x))), cells_(x_), h_(x_.cols()) {
+    explicit Cloud(const Points<dim>& x) : Cloud(x, Column<double>::Zero(x.cols())) {
+        V_.setConstant(std::pow(spacing(), dim));
+    }
+
+    /// \param V volumes, not negative, one per particle
+    Cloud(Points<dim> x, Column<double> V)
+        : x_(checked(std::move(x))), V_(std::move(V)), cells_(x_), apart_(x_.cols()) {
+        if (V_.size() != size())
+            throw InvalidInput(std::to_string(size()) + " particles need as many volumes, got " +
+                               std::to_string(V_.size()));
+        for (Index j = 0; j < size(); ++j)
+            if (!std::isfinite(V_[j]) || V_[j] < 0)
+                throw InvalidInput("particle " + std::to_string(j) +
+                                   " has a volume that is negative or not finite");
         if (const auto& crowd = cells_.crowd()) refuse_coincident((*crowd)[0], (*crowd)[1]);
         std::vector<int> nearest(static_cast<std::size_t>(size()));
-        for_each_index(size(), [&](Index j) { h_[j] = nearest_neighbour(j, nearest); });
+        for_each_index(size(), [&](Index j) { apart_[j] = nearest_neighbour(j, nearest); });
         for (Index j = 0; j < size(); ++j)
-            if (h_[j] == 0) refuse_coincident(j, nearest[static_cast<std::size_t>(j)]);
+            if (apart_[j] == 0) refuse_coincident(j, nearest[static_cast<std::size_t>(j)]);
     }
 
     [[nodiscard]] const Points<dim>& x() const { return x_; }
-    [[nodiscard]] const Column<double>& h() const { return h_; }
+    [[nodiscard]] const Column<double>& V() const { return V_; }
     [[nodiscard]] Index size() const { return x_.cols(); }
     [[nodiscard]] const Cells<dim>& cells() const { return cells_; }
+
+    /// Distance Δ of each particle to the nearest other one. [length]
+    [[nodiscard]] const Column<double>& apart() const { return apart_; }
+
+    /// Mean distance δ between particles: that of a grid of as many that fills the same box. [length]
+    [[nodiscard]] double spacing() const {
+        const Point<dim> sides = x_.rowwise().maxCoeff() - x_.rowwise().minCoeff();
+        return detail::spacing_of_grid<dim>(sides, size());
+    }
 
     /// The particles nearer to a place than `reach`, in the order of the search, which is the same each time.
     [[nodiscard]] std::vector<int> around(const Point<dim>& place, double reach) const {
@@ -112,38 +140,9 @@ class Cloud {
     }
 
     Points<dim> x_;
+    Column<double> V_;
     Cells<dim> cells_;
-    Column<double> h_;
+    Column<double> apart_;
 };
-
-/// The particles around a place, found among some particles of a cloud, for a smoothing length h. A particle
-/// on the very edge of the support is left out, so that round-off does not decide (see Smoothing::reach()).
-/// \param among candidates
-template <int dim>
-Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
-                               const Point<dim>& place, double h, std::vector<int> among) {
-    const double edge = kernel.rho() * (1 - 1e-8), per_h = 1 / h;
-    const auto most = static_cast<Index>(among.size());
-    Eigen::Array<double, Eigen::Dynamic, dim> s(most, dim);
-    Column<double> q(most);
-    Index count = 0;
-    for (const int j : among) {
-        const Point<dim> offset = (cloud.x().col(j) - place) * per_h;
-        for (Index axis = 0; axis < dim; ++axis) s(count, axis) = offset[axis];
-        q[count] = offset.squaredNorm();
-        among[static_cast<std::size_t>(count)] = j;
-        count += q[count] < edge * edge ? 1 : 0;
-    }
-    among.resize(static_cast<std::size_t>(count));
-    if (count < most) s.conservativeResize(count, Eigen::NoChange);
-    return {std::move(s), kernel.at(q.head(count)), kernel.edge(), std::move(among)};
-}
-
-/// The same, found among all particles of the cloud.
-template <int dim>
-Surroundings<dim> surroundings(const Cloud<dim>& cloud, const TruncatedGaussian<dim>& kernel,
-                               const Point<dim>& place, double h) {
-    return surroundings(cloud, kernel, place, h, cloud.around(place, kernel.rho() * h));
-}
 
 }  // namespace particles

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -294,6 +295,16 @@ Scalar support(const Kernel<dim>& kernel) {
     return std::visit([](const auto& W) { return W.template support<Scalar>(); }, kernel);
 }
 
+/// Distance within which particles are neighbours, in units of h: the radius of the support, less a fraction
+/// √ε or 1e-8, whichever is smaller. A particle on the very edge has no weight, and round-off must not decide
+/// whether it counts as a neighbour.
+template <class Scalar, int dim>
+Scalar reach(const Kernel<dim>& kernel) {
+    using std::sqrt;
+    const Scalar edge = std::min(Scalar(1e-8), Scalar(sqrt(std::numeric_limits<Scalar>::epsilon())));
+    return support<Scalar>(kernel) * (1 - edge);
+}
+
 /// One of the kernels that need no number.
 /// \throws InvalidInput for a name that none of them has
 template <int dim = 1>
@@ -334,6 +345,13 @@ void evaluate(const AnyKernel<dim>& kernel, const Offsets<Scalar, dim>& s, Colum
         W = q.unaryExpr(value);
         DW = s.colwise() * (q > 0).select(q.binaryExpr(W, slope) / q, Scalar(0));
     }
+}
+
+/// The same for any kernel.
+template <int dim, class Scalar>
+void evaluate(const Kernel<dim>& kernel, const Offsets<Scalar, dim>& s, Column<Scalar>& W,
+              Offsets<Scalar, dim>& DW) {
+    std::visit([&](const auto& one) { evaluate(one, s, W, DW); }, kernel);
 }
 
 /// @}

@@ -12,8 +12,9 @@
 #include "base/pack.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "particles/kernels.hpp"
+#include "particles/cloud.hpp"
 #include "particles/line.hpp"
+#include "particles/smoothing.hpp"
 
 namespace particles {
 
@@ -24,76 +25,30 @@ using base::InvalidInput;
 using base::Pack;
 using base::shown;
 
-/// A kernel with its smoothing length h [length], one for all particles or one for each.
-template <class Scalar = double>
-class Smoothing {
-  public:
-    /// \throws InvalidInput unless h is positive and finite
-    Smoothing(const Kernel<>& kernel, const Scalar& h) : Smoothing(kernel, Column<Scalar>::Constant(1, h)) {}
-
-    /// \param h of each particle
-    /// \throws InvalidInput unless each h is positive and finite
-    Smoothing(const Kernel<>& kernel, Column<Scalar> h) : kernel_(kernel), h_(std::move(h)) {
-        using std::isfinite;
-        for (const Scalar& each : h_)
-            if (!(isfinite(each) && each > 0))
-                throw InvalidInput("the smoothing length must be positive and finite, got " +
-                                   shown(static_cast<double>(each)));
-        largest_ = h_.maxCoeff();
-        reach_per_h_ = reach_per_h(kernel_);
-    }
-    [[nodiscard]] const Kernel<>& kernel() const { return kernel_; }
-    [[nodiscard]] bool is_local() const { return h_.size() > 1; }
-
-    /// The smoothing length; the largest, where each particle has its own.
-    [[nodiscard]] const Scalar& h() const { return largest_; }
-    /// The smoothing length of particle i.
-    [[nodiscard]] const Scalar& h(Index i) const { return h_[is_local() ? i : 0]; }
-    /// The smoothing lengths of the particles of a Pack, from particle i on.
-    [[nodiscard]] Pack pack_of_h(Index i) const {
-        return is_local() ? Pack::from(h_.data() + i) : Pack(h_[0]);
-    }
-
-    /// Distance within which particles are neighbours: the radius of the support, less a fraction √ε. A
-    /// particle on the very edge has no weight, and round-off must not decide whether it counts as a
-    /// neighbour.
-    [[nodiscard]] Scalar reach() const { return reach_of(h()); }
-    [[nodiscard]] Scalar reach(Index i) const { return reach_of(h(i)); }
-    [[nodiscard]] Pack pack_of_reaches(Index i) const { return pack_of_h(i) * reach_per_h_; }
-
-  private:
-    [[nodiscard]] Scalar reach_of(const Scalar& h) const { return h * reach_per_h_; }
-    [[nodiscard]] static Scalar reach_per_h(const Kernel<>& kernel) {
-        using std::sqrt;
-        return support<Scalar>(kernel) * (1 - sqrt(std::numeric_limits<Scalar>::epsilon()));
-    }
-
-    Kernel<> kernel_;
-    Column<Scalar> h_;
-    Scalar largest_, reach_per_h_;
-};
-
-/// The particles within reach of one particle, itself included: plain local data, one entry for each of them.
+/// The particles near a place, plain local data with one entry for each of them: those within reach of a
+/// particle, itself included, or those in the kernel's support around any place.
 ///
 /// All lengths are in units of the smoothing length h. The papers' equations hold in every unit of length, so
 /// that formulations read as printed, and the condition of their local systems does not depend on h. Weights
 /// for a k-th derivative are in units of \f$1/h^k\f$.
 /// \tparam Scalar a real type, or Pack: then entry k holds the k-th neighbour of each of several particles
-template <class Scalar>
+/// \tparam dim dimension of space: one number, or a row of numbers, for each particle
+template <class Scalar = double, int dim = 1>
 struct Neighbourhood {
-    Column<Scalar> r;   ///< offsets \f$(x_j - x_i)/h\f$
-    Column<Scalar> W;   ///< kernel values \f$h\,W_i(x_j)\f$
-    Column<Scalar> DW;  ///< kernel derivatives \f$h^2\,DW_i(x_j)\f$
-    Column<Scalar> V;   ///< volumes \f$\Delta\Omega_j/h\f$
+    Offsets<Scalar, dim> r;  ///< offsets \f$(x_j - x_i)/h\f$
+    Column<Scalar> W;        ///< kernel values \f$h^{\dim}\,W_i(x_j)\f$
+    Offsets<Scalar, dim>
+        DW;            ///< the kernel's gradient \f$h^{\dim+1}\,\partial W_i/\partial x\f$ at \f$x_j\f$
+    Column<Scalar> V;  ///< volumes \f$\Delta\Omega_j/h^{\dim}\f$
 };
 
 /// Consecutive particles, first … last − 1.
 struct Range {
-    Index first, last;
+    Index first = 0, last = 0;
     [[nodiscard]] Index size() const { return last - first; }
 };
 
-/// The particles within reach of particle i, itself included.
+/// The particles within reach of particle i of a line, itself included.
 /// \param guess where the search begins, for example the answer for the particle before it
 template <class Scalar>
 Range within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i,
@@ -117,14 +72,16 @@ Range within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
     return {first - x, last - x};
 }
 
-/// The particles within reach of each particle of the line.
+/// The neighbours of each particle of a line, for some particles; the others' are left empty.
 template <class Scalar>
-std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing) {
+std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                                    const Range& some) {
     std::vector<Range> near(static_cast<std::size_t>(line.size()));
     constexpr Index block = 256;
-    for_each_index((line.size() + block - 1) / block, [&](Index b) {
-        Range range = within_reach(line, smoothing, b * block);
-        for (Index i = b * block; i < std::min((b + 1) * block, line.size()); ++i) {
+    for_each_index((some.size() + block - 1) / block, [&](Index b) {
+        const Index first = some.first + b * block;
+        Range range = within_reach(line, smoothing, first);
+        for (Index i = first; i < std::min(first + block, some.last); ++i) {
             range = within_reach(line, smoothing, i, range);
             near[static_cast<std::size_t>(i)] = range;
         }
@@ -132,7 +89,24 @@ std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Sc
     return near;
 }
 
-/// The neighbourhood of particle i.
+/// The particles within reach of particle i of a cloud, itself included, in increasing order.
+template <int dim>
+std::vector<int> within_reach(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing, Index i) {
+    return cloud.within(cloud.x().col(i), smoothing.reach(i));
+}
+
+/// The neighbours of each particle of a cloud, for some particles; the others' are left empty.
+template <int dim>
+std::vector<std::vector<int>> all_within_reach(const Cloud<dim>& cloud,
+                                               const Smoothing<double, dim>& smoothing, const Range& some) {
+    std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
+    for_each_index(some.size(), [&](Index k) {
+        near[static_cast<std::size_t>(some.first + k)] = within_reach(cloud, smoothing, some.first + k);
+    });
+    return near;
+}
+
+/// The neighbourhood of particle i of a line.
 template <class Scalar>
 Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i,
                                     const Range& near) {
@@ -140,19 +114,61 @@ Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Sc
     Neighbourhood<Scalar> near_i;
     near_i.r = (line.x().segment(near.first, near.size()) - line.x()[i]) * per_h;
     near_i.V = line.V().segment(near.first, near.size()) * per_h;
-    std::visit(
-        [&](const auto& kernel) {
-            near_i.W = near_i.r.unaryExpr([&](const Scalar& s) { return kernel.W(s); });
-            near_i.DW = near_i.r.binaryExpr(
-                near_i.W, [&](const Scalar& s, const Scalar& W) { return detail::derivative(kernel, s, W); });
-        },
-        smoothing.kernel());
+    evaluate(smoothing.kernel(), near_i.r, near_i.W, near_i.DW);
     return near_i;
 }
 
 template <class Scalar>
 Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i) {
     return neighbourhood(line, smoothing, i, within_reach(line, smoothing, i));
+}
+
+/// What a place sees of some particles of a cloud.
+/// \param h smoothing length [length] \param near numbers of the particles
+template <int dim>
+Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const Kernel<dim>& kernel,
+                                         const Point<dim>& place, double h, const std::vector<int>& near) {
+    const double per_h = 1 / h, per_volume = std::pow(per_h, dim);
+    const auto count = static_cast<Index>(near.size());
+    Neighbourhood<double, dim> near_x{Offsets<double, dim>(count, dim), {}, {}, Column<double>(count)};
+    for (Index k = 0; k < count; ++k) {
+        const int j = near[static_cast<std::size_t>(k)];
+        near_x.r.row(k) = ((cloud.x().col(j) - place) * per_h).transpose();
+        near_x.V[k] = cloud.V()[j] * per_volume;
+    }
+    evaluate(kernel, near_x.r, near_x.W, near_x.DW);
+    return near_x;
+}
+
+/// The neighbourhood of particle i of a cloud.
+template <int dim>
+Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                         Index i, const std::vector<int>& near) {
+    return neighbourhood<dim>(cloud, smoothing.kernel(), cloud.x().col(i), smoothing.h(i), near);
+}
+
+template <int dim>
+Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                         Index i) {
+    return neighbourhood(cloud, smoothing, i, within_reach(cloud, smoothing, i));
+}
+
+/// Those of some particles of a cloud that lie in the kernel's support around a place.
+/// \param among numbers of the particles to choose from
+template <int dim>
+std::vector<int> in_support(const Cloud<dim>& cloud, const Kernel<dim>& kernel, const Point<dim>& place,
+                            double h, std::vector<int> among) {
+    const double edge = reach<double>(kernel), per_h = 1 / h;
+    std::erase_if(among,
+                  [&](int j) { return !(((cloud.x().col(j) - place) * per_h).squaredNorm() < edge * edge); });
+    return among;
+}
+
+/// All of them, in the order of the search.
+template <int dim>
+std::vector<int> in_support(const Cloud<dim>& cloud, const Kernel<dim>& kernel, const Point<dim>& place,
+                            double h) {
+    return in_support(cloud, kernel, place, h, cloud.around(place, support<double>(kernel) * h));
 }
 
 /// The neighbourhoods of the particles i, i + 1, … of a Pack, one in each lane. All have the same number of

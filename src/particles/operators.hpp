@@ -1,6 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "particles/banded_rows.hpp"
 #include "particles/local_system.hpp"
+#include "particles/multi_index.hpp"
 #include "particles/neighbourhood.hpp"
 #include "particles/requirement.hpp"
 
@@ -28,17 +32,47 @@ using base::Pack;
 template <class Scalar = double>
 using Operator = banded::Rows<Scalar>;
 
-/// The first and second derivative operators of a formulation.
-template <class Scalar = double>
+/// Number of second derivatives: one on a line, three in the plane, six in space.
+template <int dim>
+inline constexpr int second_derivatives = dim*(dim + 1) / 2;
+
+/// The operators of a formulation: the first derivatives by coordinate, and the second in the order of
+/// monomials(), in the plane \f$\partial_{11}, \partial_{22}, \partial_{12}\f$. See derivative().
+template <class Scalar = double, int dim = 1>
 struct Operators {
+    std::array<Operator<Scalar>, dim> D;
+    std::array<Operator<Scalar>, second_derivatives<dim>> D2;
+};
+template <class Scalar>
+struct Operators<Scalar, 1> {
     Operator<Scalar> D, D2;
 };
 
-/// Weights on \f$B(x_j) - B(x_i)\f$ of a formulation that gives both derivatives of a neighbourhood.
-template <class Scalar>
+/// Weights on \f$B(x_j) - B(x_i)\f$ of a formulation that gives both derivatives of a neighbourhood; columns in
+/// the order of the operators.
+template <class Scalar, int dim = 1>
 struct Derivatives {
-    Column<Scalar> first, second;  ///< in units of 1/h and 1/h²
+    Offsets<Scalar, dim> first;                       ///< in units of 1/h
+    Offsets<Scalar, second_derivatives<dim>> second;  ///< in units of 1/h²
 };
+
+/// The operator \f$\partial^a\f$.
+/// \param a multi-index of order 1 or 2
+/// \throws InvalidInput for another order
+template <class Scalar, int dim>
+const Operator<Scalar>& derivative(const Operators<Scalar, dim>& all,
+                                   const std::type_identity_t<Exponents<dim>>& a) {
+    static constexpr auto known = monomials<dim, 2>();
+    const auto place = std::find(known.begin() + 1, known.end(), a) - known.begin() - 1;
+    if (place == static_cast<std::ptrdiff_t>(known.size()) - 1)
+        throw InvalidInput("operators of order 1 and 2 are known, not of order " +
+                           std::to_string(order<dim>(a)));
+    if constexpr (dim == 1)
+        return place == 0 ? all.D : all.D2;
+    else
+        return place < dim ? all.D[static_cast<std::size_t>(place)]
+                           : all.D2[static_cast<std::size_t>(place - dim)];
+}
 
 /// The operator applied through differences, \f$DB(x_i) = \sum_j D_{ij}\,[B(x_j) - B(x_i)]\f$: exact on
 /// constants, and without round-off of the size of B.
@@ -115,69 +149,96 @@ Operator<Scalar> first_inner_last(const Operator<Scalar>& first, Operator<Scalar
     return A;
 }
 
+/// A formulation on a line, as assemble() takes it: pure functions.
+template <class Scalar>
+struct Rule {
+    /// The weights of a neighbourhood; those of the second derivative are empty where `second` is given.
+    std::function<Derivatives<Scalar>(const Neighbourhood<Scalar>&)> weights;
+    /// The weights of several at once, where entries with W = DW = V = 0 must not count; or empty.
+    std::function<Derivatives<Pack>(const Neighbourhood<Pack>&)> weights_of_pack;
+    /// The operator D² as a function of D; or empty.
+    std::function<Operator<Scalar>(const Operator<Scalar>&)> second;
+};
+
 namespace detail {
 
-/// Weights as rows of D, or of D and D²: of particle i, or of a Pack of particles from i on.
-/// \param near neighbours of the particle or the particles \param own place of the particle among them
-template <class Scalar, class Number>
-void set_rows(Operators<Scalar>& all, Index i, const Range* near, Index own, const Column<Number>& first,
-              const Number& per_h) {
-    banded::set_row(all.D, i, near, own, first, per_h);
+/// \throws InvalidInput unless the rows are some of N particles
+inline void check_rows(const Range& rows, Index N) {
+    if (rows.first < 0 || rows.last > N || rows.first > rows.last)
+        throw InvalidInput("there are no rows " + std::to_string(rows.first) + " to " +
+                           std::to_string(rows.last - 1) + " among " + std::to_string(N) + " particles");
 }
-template <class Scalar, class Number>
-void set_rows(Operators<Scalar>& all, Index i, const Range* near, Index own, const Derivatives<Number>& both,
-              const Number& per_h) {
-    banded::set_row(all.D, i, near, own, both.first, per_h);
-    banded::set_row(all.D2, i, near, own, both.second, Number(per_h * per_h));
+
+/// A rule from a function of a Neighbourhood of any scalar that returns Derivatives, or the weights of the first
+/// derivative alone.
+template <class Scalar, class Function>
+Rule<Scalar> rule_of(const Function& function) {
+    const auto both = [function]<class Number>(const Neighbourhood<Number>& near) -> Derivatives<Number> {
+        if constexpr (std::is_same_v<std::invoke_result_t<Function, const Neighbourhood<Number>&>,
+                                     Derivatives<Number>>)
+            return function(near);
+        else
+            return {function(near), {}};
+    };
+    Rule<Scalar> rule{both, {}, {}};
+    if constexpr (std::is_same_v<Scalar, double> && std::is_invocable_v<Function, const Neighbourhood<Pack>&>)
+        rule.weights_of_pack = both;
+    return rule;
 }
 
 }  // namespace detail
 
-/// Assembles D and D² of a formulation: row i holds the weights that `rule` gives for the neighbourhood of
-/// particle i.
+/// Assembles D and D² of a formulation: the row of particle i holds the weights that `rule` gives for its
+/// neighbourhood.
 ///
 /// Particles are independent of one another, so that they are computed in parallel, with the same bytes on
-/// any number of threads. In double precision, a Pack of consecutive particles is computed at once where all
-/// its neighbourhoods lie on the line; the others, and those of a Pack that fails, one by one.
-/// \param rule a pure function of a Neighbourhood. It returns Derivatives, or the weights of the first
-///        derivative alone. If it accepts a Neighbourhood of Packs as well, entries with W = DW = V = 0 must
-///        not count
-/// \param second the operator D² as a function of D, for a rule that returns the first derivative alone
+/// any number of threads and whatever other rows are computed. In double precision, a Pack of consecutive
+/// particles is computed at once where all its neighbourhoods lie on the line; the others, and those of a Pack
+/// that fails, one by one.
+/// \param rows particles that have a row; a rule that has D² from D needs all
 /// \throws FailedComputation where a neighbourhood is too small or singular, naming the formulation, the
 ///         particle, its position, its neighbours and a remedy
-template <class Scalar, class Rule, class Second = std::nullptr_t>
+template <class Scalar>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
-                           const Requirement& required, const Rule& rule, const Second& second = {}) {
-    constexpr bool gives_both =
-        std::is_same_v<std::invoke_result_t<Rule, const Neighbourhood<Scalar>&>, Derivatives<Scalar>>;
-    constexpr bool takes_packs =
-        std::is_same_v<Scalar, double> && std::is_invocable_v<Rule, const Neighbourhood<Pack>&>;
-
-    const std::vector<Range> near = all_within_reach(line, smoothing);
-    require_neighbours(line, smoothing, near, required);
-    Operators<Scalar> all{banded::allocated<Scalar>(near),
-                          gives_both ? banded::allocated<Scalar>(near) : Operator<Scalar>()};
+                           const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
+    detail::check_rows(rows, line.size());
+    const bool gives_both = !rule.second;
+    if (!gives_both && rows.size() < line.size())
+        throw InvalidInput(std::string(required.formulation) +
+                           ": a derivative of a derivative needs all rows");
+    const std::vector<Range> near = all_within_reach(line, smoothing, banded::whole_packs(rows, line.size()));
+    require_neighbours(line, smoothing, near, required, rows);
+    Operators<Scalar> all{banded::allocated<Scalar>(near, rows),
+                          gives_both ? banded::allocated<Scalar>(near, rows) : Operator<Scalar>()};
 
     const auto alone = [&](Index i) {
         const Range& near_i = near[static_cast<std::size_t>(i)];
+        const Index row = i - rows.first, own = i - near_i.first;
+        const Scalar per_h = 1 / smoothing.h(i);
         try {
-            const auto weights = rule(neighbourhood(line, smoothing, i, near_i));
-            detail::set_rows(all, i, &near_i, i - near_i.first, weights, Scalar(1 / smoothing.h(i)));
+            const auto [first, second] = rule.weights(neighbourhood(line, smoothing, i, near_i));
+            banded::set_row(all.D, row, near_i, own, first, per_h);
+            if (gives_both) banded::set_row(all.D2, row, near_i, own, second, Scalar(per_h * per_h));
         } catch (const SingularNeighbourhood& singular) {
-            throw FailedComputation(neighbours_in_words(line, smoothing, i, near_i, required) + " (" +
-                                    std::to_string(i - near_i.first) + " on the left, " +
-                                    std::to_string(near_i.last - 1 - i) + " on the right), but " +
-                                    singular.what() +
-                                    "; take a larger --smoothing or particles that lie farther apart");
+            throw FailedComputation(
+                neighbours_in_words(line, smoothing, i, near_i, required) + " (" + std::to_string(own) +
+                " on the left, " + std::to_string(near_i.last - 1 - i) + " on the right), but " +
+                singular.what() + "; take a larger --smoothing or particles that lie farther apart");
         }
     };
     const auto together = [&](Index i) {
-        if constexpr (takes_packs) {
+        if constexpr (std::is_same_v<Scalar, double>) {
+            if (!rule.weights_of_pack) return false;
             const auto sides = banded::sides_of_pack(near, i);
             if (!sides) return false;
+            const Range* const near_i = near.data() + i;
+            const Pack per_h = 1 / smoothing.pack_of_h(i);
             try {
-                const auto weights = rule(neighbourhoods(line, smoothing, i, sides->left, sides->right));
-                detail::set_rows(all, i, near.data() + i, sides->left, weights, 1 / smoothing.pack_of_h(i));
+                const auto [first, second] =
+                    rule.weights_of_pack(neighbourhoods(line, smoothing, i, sides->left, sides->right));
+                banded::set_rows(all.D, rows, i, near_i, sides->left, first, per_h);
+                if (gives_both)
+                    banded::set_rows(all.D2, rows, i, near_i, sides->left, second, Pack(per_h * per_h));
                 return true;
             } catch (const SingularNeighbourhood&) {
                 return false;
@@ -185,13 +246,92 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
         }
         return false;
     };
-    banded::for_each_pack(line.size(), together, alone);
+    banded::for_each_pack(rows, together, alone);
 
-    if constexpr (!gives_both) {
-        Operator<Scalar> D2 = second(all.D);
+    if (rule.second) {
+        Operator<Scalar> D2 = rule.second(all.D);
         all.D2.swap(D2);  // Eigen's assignment would copy
     }
     return all;
+}
+
+// Compiled once for each scalar, in operators.cpp.
+extern template Operators<double> assemble(const Line<double>&, const Smoothing<double>&, const Requirement&,
+                                           const Rule<double>&, const Range&);
+extern template Operators<long double> assemble(const Line<long double>&, const Smoothing<long double>&,
+                                                const Requirement&, const Rule<long double>&, const Range&);
+
+/// The same for all particles of the line.
+/// \param weights a pure function of a Neighbourhood that returns Derivatives. If it accepts a Neighbourhood of
+///        Packs as well, entries with W = DW = V = 0 must not count
+template <class Scalar, class Weights>
+Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                           const Requirement& required, const Weights& weights) {
+    return assemble(line, smoothing, required, detail::rule_of<Scalar>(weights), {0, line.size()});
+}
+
+/// The same from weights of the first derivative alone.
+/// \param second the operator D² as a function of D
+template <class Scalar, class Weights, class Second>
+Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                           const Requirement& required, const Weights& weights, const Second& second) {
+    Rule<Scalar> rule = detail::rule_of<Scalar>(weights);
+    rule.second = second;
+    return assemble(line, smoothing, required, rule, {0, line.size()});
+}
+
+/// Assembles the operators of a formulation on a cloud, as on a line: the row of particle i holds the weights
+/// that `rule` gives for its neighbourhood, columns in increasing order.
+/// \param rule a pure function of a Neighbourhood, which returns Derivatives
+/// \param rows particles that have a row
+/// \throws FailedComputation where a neighbourhood is too small or singular, naming the formulation, the
+///         particle, its position, its neighbours and a remedy
+template <int dim, class Rule>
+Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                const Requirement& required, const Rule& rule, const Range& rows) {
+    detail::check_rows(rows, cloud.size());
+    const std::vector<std::vector<int>> near = all_within_reach(cloud, smoothing, rows);
+    require_neighbours(cloud, smoothing, near, required, rows);
+    const auto allocated = [&] { return banded::allocated<double>(near, rows); };
+    std::array<Operator<double>, dim + second_derivatives<dim>> all;
+    for (Operator<double>& D : all) D = allocated();
+
+    for_each_index(rows.size(), [&](Index row) {
+        const Index i = rows.first + row;
+        const std::vector<int>& near_i = near[static_cast<std::size_t>(i)];
+        const Index own = std::lower_bound(near_i.begin(), near_i.end(), i) - near_i.begin();
+        const double per_h = 1 / smoothing.h(i);
+        try {
+            const Derivatives<double, dim> weights = rule(neighbourhood(cloud, smoothing, i, near_i));
+            for (int axis = 0; axis < dim; ++axis)
+                banded::set_row(all[static_cast<std::size_t>(axis)], row, near_i, own,
+                                weights.first.col(axis), per_h);
+            for (int pair = 0; pair < second_derivatives<dim>; ++pair)
+                banded::set_row(all[static_cast<std::size_t>(dim + pair)], row, near_i, own,
+                                weights.second.col(pair), per_h * per_h);
+        } catch (const SingularNeighbourhood& singular) {
+            throw FailedComputation(neighbours_in_words(cloud, smoothing, i, near_i, required) + ", but " +
+                                    singular.what() +
+                                    "; take a larger --smoothing or particles that lie farther apart");
+        }
+    });
+
+    Operators<double, dim> operators;
+    if constexpr (dim == 1) {
+        operators.D.swap(all[0]);
+        operators.D2.swap(all[1]);
+    } else {
+        for (std::size_t k = 0; k < all.size(); ++k)
+            (k < dim ? operators.D[k] : operators.D2[k - dim]).swap(all[k]);
+    }
+    return operators;
+}
+
+/// The same for all particles of the cloud.
+template <int dim, class Rule>
+Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                const Requirement& required, const Rule& rule) {
+    return assemble(cloud, smoothing, required, rule, Range{0, cloud.size()});
 }
 
 }  // namespace particles

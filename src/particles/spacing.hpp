@@ -89,19 +89,6 @@ inline void require_others(Index k, Index N) {
                            " particles are not determined; take a number from 1 to " + std::to_string(N - 1));
 }
 
-/// The distance δ of a grid of N particles that fills a box with sides L: \f$\prod_a (L_a/\delta + 1) = N\f$.
-/// Newton's method for 1/δ starts at \f$(N-1)/\sum_a L_a\f$, which is too large, and decreases.
-template <int dim>
-double spacing_of_grid(const Point<dim>& L, Index N) {
-    double per_length = static_cast<double>(N - 1) / L.sum();
-    while (true) {
-        const Eigen::Array<double, dim, 1> along = L.array() * per_length + 1;
-        const double less = (1 - static_cast<double>(N) / along.prod()) / (L.array() / along).sum();
-        if (!(per_length - less < per_length)) return 1 / per_length;
-        per_length -= less;
-    }
-}
-
 }  // namespace detail
 
 /// The distance from particle i to the farthest of the k nearest others, 0 < k < N.
@@ -162,16 +149,14 @@ template <int dim>
 Column<double> spacing(const Cloud<dim>& cloud, const Spacing& which) {
     const Index N = cloud.size();
     switch (which.kind) {
-        case Spacing::mean: {
-            const Point<dim> sides = cloud.x().rowwise().maxCoeff() - cloud.x().rowwise().minCoeff();
-            return Column<double>::Constant(1, detail::spacing_of_grid<dim>(sides, N));
-        }
+        case Spacing::mean:
+            return Column<double>::Constant(1, cloud.spacing());
         case Spacing::largest:
-            return Column<double>::Constant(1, distances_to_nearest(cloud, 1).maxCoeff());
+            return Column<double>::Constant(1, cloud.apart().maxCoeff());
         case Spacing::local:
             return distances_to_nearest(cloud, std::min(Index{2} * dim, N - 1));
         case Spacing::nearest:
-            return distances_to_nearest(cloud, which.k);
+            return which.k == 1 ? cloud.apart() : distances_to_nearest(cloud, which.k);
         case Spacing::given:
             break;
     }

@@ -99,8 +99,10 @@ void add(command_line::ExampleTable& table, const Options& options, const Exampl
     const auto [nx, ny] = command_line::pair_of("--particles", grid);
     check_grid(nx, ny, one.how.scaling);
     std::vector<Cell> layout{nx, ny};
-    for (const Pair& pair : corners)
-        layout.push_back(one.how.method == Method::strong ? Cell(pair[0] + " " + pair[1]) : Cell());
+    for (const auto& [first, second] : corners) {
+        layout.emplace_back();
+        if (one.how.method == Method::strong) layout.back() = first + " " + second;
+    }
     const auto errors = [nx = nx, ny = ny](const command_line::Solved& solved) -> std::vector<Cell> {
         const auto& [problem, cloud, solution] = solved;
         const auto [dn, nd] = example_problems::errors(plate::mesh(nx, ny), cloud, solution, problem);

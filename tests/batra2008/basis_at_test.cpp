@@ -1,5 +1,8 @@
 #include "batra2008/basis_at.hpp"
 
+#include <algorithm>
+
+#include "particles/spacing.hpp"
 #include "tests/batra2008/bases.hpp"
 #include "tests/relative.hpp"
 
@@ -27,8 +30,9 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
     const Point<2> at_side(0, 0.5);
     CHECK(
         refusal([&] { support::bases(2, grid, 1.2, at_side, 0.25); }) ==
-        "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; try --scaling 2.1");  // six particles in two columns, within 1.5h, do not suffice
+        "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; try --scaling 2.1 or --smoothing-from 6-nearest");  // six particles in two columns, within 1.5h, do not suffice
     CHECK_NOTHROW(support::bases(2, grid, 2.1, at_side, 0.25));
+    CHECK_NOTHROW(support::bases(2, grid, 1.2, at_side, std::sqrt(0.25)));  // the sixth nearest
     int refused = 0;
     support::for_each_dimension_and_degree([&](int dim, int m) {
         const support::Irregular irregular(dim);
@@ -38,7 +42,18 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
                 if (why.empty()) continue;
                 CAPTURE(why);
                 ++refused;
-                const std::size_t remedy = why.find("; try --scaling ");
+                const std::size_t remedy = why.find("; try --scaling "),
+                                  from_nearest = why.find(" or --smoothing-from ");
+                if (from_nearest != std::string::npos) {
+                    const auto k = static_cast<std::size_t>(std::stoi(why.substr(from_nearest + 21)));
+                    std::vector<double> distance;
+                    Eigen::Index particle = 0;
+                    (irregular.x.colwise() - x).colwise().norm().minCoeff(&particle);
+                    for (const auto& other : irregular.x.colwise())
+                        distance.push_back((other - irregular.x.col(particle)).norm());
+                    std::sort(distance.begin(), distance.end());
+                    CHECK_NOTHROW(support::bases(m, irregular.x, rho, x, distance[k]));
+                }
                 REQUIRE(remedy != std::string::npos);
                 const double scaling = std::stod(why.substr(remedy + 16));
                 CHECK(scaling > rho);
@@ -46,6 +61,17 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
             }
     });
     CHECK(refused > 100);
+}
+
+TEST_CASE("basis_at: of two particles that lie close together both are named") {
+    Points<2> x(2, 26);
+    x << support::grid_points<2>(5), Point<2>(0.5, 0.5009765625);
+    CHECK(
+        refusal([&] { support::bases(2, x, 3, Point<2>(0.5, 0.5), 1.0 / 1024); }) ==
+        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out, or try --smoothing-from 6-nearest");
+    const Cloud<2> cloud(x);
+    CHECK_NOTHROW(support::bases(2, x, 3, Point<2>(0.5, 0.5),
+                                 particles::spacing(cloud, particles::Spacing::to_nearest(6))[12]));
 }
 
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {

@@ -32,13 +32,9 @@ struct Sample {
 };
 
 /// Particles at the given places of the plane, seen from the origin with h = 1 and constant weights.
-Surroundings<2> seen(const Points<2>& x) {
-    Surroundings<2> near;
-    near.s = x.transpose().array();
-    near.W = Column<double>::Ones(x.cols());
-    near.edge = 0;
-    for (int j = 0; j < x.cols(); ++j) near.particle.push_back(j);
-    return near;
+particles::Neighbourhood<double, 2> seen(const Points<2>& x) {
+    const Column<double> one = Column<double>::Ones(x.cols());
+    return {x.transpose().array(), one, particles::Offsets<double, 2>::Zero(x.cols(), 2), one};
 }
 
 }  // namespace
@@ -186,7 +182,7 @@ TEST_CASE("(2.9): C is symmetric to the last bit, positive, and the sum of (2.5)
 TEST_CASE("(2.9), (2.11): no derivative of the kernel enters, so that weights may be constant") {
     const Polynomial f(2, 2, 12);
     const Points<2> x = 2 * support::random_points<2>(11, 3) - Points<2>::Ones(2, 11);
-    const Basis<2, 2> basis(seen(x), 1);
+    const Basis<2, 2> basis(seen(x), {}, 1);
     for (Index I = 0; I < 6; ++I) {
         const auto a = monomials<2, 2>()[static_cast<std::size_t>(I)];
         double sum = 0;

@@ -106,8 +106,9 @@ TEST_CASE("collocation: the nearest particles are some of the support, at least 
         const Index enough = solvers::enough_neighbours(2 * cloud.size(), 6);
         CHECK(enough == 13);
         for (Index I = 0; I < cloud.size(); ++I) {
-            const std::vector<int> near = ssph_basis::nearest_that_determine<2>(cloud, kernel, I, enough);
-            const std::vector<int> all = cloud.within(x.col(I), 4 * cloud.h()[I]);
+            const std::vector<int> near =
+                ssph_basis::nearest_that_determine<2>(cloud, kernel, I, cloud.apart()[I], enough);
+            const std::vector<int> all = cloud.within(x.col(I), 4 * cloud.apart()[I]);
             CHECK(std::includes(all.begin(), all.end(), near.begin(), near.end()));
             CHECK(near.size() >= std::min<std::size_t>(13, all.size()));
             CHECK(near.size() <= 25);
@@ -132,7 +133,7 @@ TEST_CASE(
             const Index N = x.cols();
             CAPTURE(N);
             CAPTURE(rho);
-            System equations = system<2>(problem, Cloud<2>(x), Kernel(rho), 0);
+            System equations = system<2>(problem, Cloud<2>(x), Kernel(rho), Cloud<2>(x).apart(), 0);
             CHECK(equations.nearest.nonZeros() < 0.8 * static_cast<double>(equations.A.nonZeros()));
             solvers::scale_rows(equations.A, equations.b, equations.nearest);
             const Eigen::VectorXd direct = solvers::solve_sparse(equations.A, equations.b);
@@ -152,7 +153,7 @@ TEST_CASE("collocation: a plate that nothing holds is refused, large or small") 
     for (elastostatics::Side& side : problem.sides) side.displaced = {false, false};
     const Cloud<2> cloud(plate::grid(31, 7));
     for (const Index small : {0, 1000})
-        CHECK_THROWS_WITH_AS(solved(system<2>(problem, cloud, Kernel(3), small)),
+        CHECK_THROWS_WITH_AS(solved(system<2>(problem, cloud, Kernel(3), cloud.apart(), small)),
                              doctest::Contains("the linear system of 434 unknowns is singular"),
                              base::FailedComputation);
 }

@@ -201,7 +201,8 @@ TEST_CASE(
     Eigen::VectorXd u(2 * cloud.size());
     for (Index J = 0; J < cloud.size(); ++J) u.segment<2>(2 * J) = problem.exact.u(cloud.x().col(J));
     for (const Gradient how : {Gradient::own_basis, Gradient::differentiated}) {
-        const System equations = system<2>(problem, cloud, Kernel(3), {how, plate::penalty(material), 1, 16});
+        const System equations =
+            system<2>(problem, cloud, Kernel(3), cloud.apart(), {how, plate::penalty(material), 1, 16});
         const Eigen::VectorXd left = equations.A * u;
         for (Index row = 0; row < left.size(); ++row) {
             double size = std::abs(equations.b[row]);

@@ -111,7 +111,7 @@ TEST_CASE("hole: C is well conditioned all over the quarter, for both reference 
     for (const auto& [N, on_arc] : {std::pair<Index, Index>{188, 11}, {686, 21}}) {
         const Cloud<2> cloud(hole::graded_layout(shape, N, on_arc, 1));
         for (const auto& at : hole::mesh(shape, 15, 15)) {
-            const double h = cloud.h()[cloud.nearest(at.x)];
+            const double h = cloud.apart()[cloud.nearest(at.x)];
             CHECK(support::condition(ssph_basis::basis_at<2>(cloud, Kernel(4), at.x, h).matrix()) < 1000);
         }
     }

@@ -78,7 +78,7 @@ TEST_CASE("example_problems: stress and displacement of a solution are those of 
     for (Index J = 0; J < cloud.size(); ++J) u.segment<2>(2 * J) = field.u(cloud.x().col(J));
     const Point<2> x(0.43, 0.11);
     for (const Method method : {Method::strong, Method::weak1, Method::weak2}) {
-        const State state = state_at(cloud, {{method, 4}, field.material, u}, x);
+        const State state = state_at(cloud, {{method, 4}, field.material, cloud.apart(), u}, x);
         CHECK((state.u - field.u(x)).norm() < 1e-12);
         CHECK((state.stress - field.stress(x)).norm() < 1e-10 * field.stress(x).norm());
     }
@@ -91,12 +91,13 @@ TEST_CASE("example_problems: each method solves with its own gradient, and shows
     Eigen::VectorXd u(2 * cloud.size());
     for (Index J = 0; J < cloud.size(); ++J) u.segment<2>(2 * J) = field.u(cloud.x().col(J));
     const Point<2> x(0.43, 0.11);
-    const auto basis = batra2008::ssph_basis::basis_at<2>(cloud, Kernel(4), x, cloud.h()[cloud.nearest(x)]);
+    const auto basis =
+        batra2008::ssph_basis::basis_at<2>(cloud, Kernel(4), x, cloud.apart()[cloud.nearest(x)]);
     for (const auto& [method, own] : {std::pair(Method::weak1, mlpg::Gradient::own_basis),
                                       std::pair(Method::weak2, mlpg::Gradient::differentiated)}) {
         const Discretisation how{method, 4, 2, plate::penalty(field.material)};
-        const System expected =
-            mlpg::system<2>(problem, cloud, Kernel(4), {own, how.penalty, how.test_scaling, how.gauss});
+        const System expected = mlpg::system<2>(problem, cloud, Kernel(4), cloud.apart(),
+                                                {own, how.penalty, how.test_scaling, how.gauss});
         CHECK((system(problem, cloud, how).A - expected.A).norm() == 0);
         const auto [K2, K3] = mlpg::gradient(basis, own);
         Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
@@ -104,6 +105,7 @@ TEST_CASE("example_problems: each method solves with its own gradient, and shows
             gradient += u.segment<2>(2 * basis.particle()[static_cast<std::size_t>(j)]) *
                         Eigen::RowVector2d(K2[j], K3[j]);
         const Stress stress = elastostatics::stress(field.material, elastostatics::strain(gradient));
-        CHECK((state_at(cloud, {how, field.material, u}, x).stress - stress).norm() <= 1e-12 * stress.norm());
+        CHECK((state_at(cloud, {how, field.material, cloud.apart(), u}, x).stress - stress).norm() <=
+              1e-12 * stress.norm());
     }
 }

@@ -28,7 +28,7 @@ void add_batra2008(long most) {
                 return [cloud = plate_of(N), scaling] {
                     base::for_each_index(cloud->size(), [&](Index I) {
                         benchmark::DoNotOptimize(
-                            cloud->within(cloud->x().col(I), scaling * cloud->h()[I]).data());
+                            cloud->within(cloud->x().col(I), scaling * cloud->apart()[I]).data());
                     });
                 };
             });
@@ -37,13 +37,13 @@ void add_batra2008(long most) {
                 std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud->size()));
                 for (Index I = 0; I < cloud->size(); ++I)
                     near[static_cast<std::size_t>(I)] =
-                        cloud->within(cloud->x().col(I), scaling * cloud->h()[I]);
+                        cloud->within(cloud->x().col(I), scaling * cloud->apart()[I]);
                 return [cloud, near, kernel = Kernel(scaling)] {
                     base::for_each_index(cloud->size(), [&](Index I) {
                         const Point<2> x = cloud->x().col(I);
                         const auto& among = near[static_cast<std::size_t>(I)];
                         benchmark::DoNotOptimize(
-                            ssph_basis::basis_at<2>(*cloud, kernel, x, cloud->h()[I], among).K().data());
+                            ssph_basis::basis_at<2>(*cloud, kernel, x, cloud->apart()[I], among).K().data());
                     });
                 };
             });

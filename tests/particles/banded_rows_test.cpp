@@ -1,5 +1,8 @@
 #include "particles/banded_rows.hpp"
 
+#include <algorithm>
+#include <mutex>
+
 #include "tests/support.hpp"
 
 using namespace particles;
@@ -41,11 +44,11 @@ TEST_CASE("banded rows: a pack needs neighbours on the line, and no more than it
     CHECK_FALSE(banded::sides_of_pack(near, 96).has_value());
 }
 
-TEST_CASE("banded rows: each pack is tried once, and its particles alone where it fails") {
+TEST_CASE("banded rows: each pack is tried once, and its rows alone where it fails") {
     const Index N = 5 * Pack::lanes + 1;
     std::vector<int> together(static_cast<std::size_t>(N)), alone = together;
     banded::for_each_pack(
-        N,
+        {0, N},
         [&](Index i) {
             ++together[static_cast<std::size_t>(i)];
             return i / Pack::lanes % 2 == 0;
@@ -55,4 +58,31 @@ TEST_CASE("banded rows: each pack is tried once, and its particles alone where i
         CHECK(together[static_cast<std::size_t>(i)] == (i % Pack::lanes == 0 ? 1 : 0));
         CHECK(alone[static_cast<std::size_t>(i)] == (i / Pack::lanes % 2 == 0 ? 0 : 1));
     }
+}
+
+TEST_CASE("banded rows: of some rows, whole packs are tried, and only the rows themselves alone") {
+    constexpr Index lanes = Pack::lanes;
+    const Range rows{lanes + 1, 3 * lanes + 1};
+    CHECK(banded::whole_packs(rows, 10 * lanes).first == lanes);
+    CHECK(banded::whole_packs(rows, 10 * lanes).last == 4 * lanes);
+    CHECK(banded::whole_packs(rows, 3 * lanes + 2).last == 3 * lanes + 2);
+    std::vector<Index> tried, alone;
+    std::mutex one_at_a_time;
+    banded::for_each_pack(
+        rows,
+        [&](Index i) {
+            const std::lock_guard lock(one_at_a_time);
+            tried.push_back(i);
+            return false;
+        },
+        [&](Index i) {
+            const std::lock_guard lock(one_at_a_time);
+            alone.push_back(i);
+        });
+    std::sort(tried.begin(), tried.end());
+    std::sort(alone.begin(), alone.end());
+    CHECK(tried == std::vector<Index>{lanes, 2 * lanes, 3 * lanes});
+    REQUIRE(static_cast<Index>(alone.size()) == rows.size());
+    CHECK(alone.front() == rows.first);
+    CHECK(alone.back() == rows.last - 1);
 }

@@ -76,10 +76,10 @@ template <int dim>
 void check_smoothing_lengths() {
     for_every_kind<dim>([](const Points<dim>& x) {
         const Cloud<dim> cloud(x);
-        REQUIRE(cloud.h().size() == x.cols());
+        REQUIRE(cloud.apart().size() == x.cols());
         for (Index j = 0; j < x.cols(); ++j) {
             const Index other = nearest_by_brute_force<dim>(x, x.col(j), j);
-            REQUIRE(cloud.h()[j] == support::relative((x.col(j) - x.col(other)).norm(), 1e-15));
+            REQUIRE(cloud.apart()[j] == support::relative((x.col(j) - x.col(other)).norm(), 1e-15));
         }
     });
 }
@@ -119,7 +119,7 @@ TEST_CASE("cloud: particles that coincide are named with their place, in the pla
     CHECK_THROWS_WITH_AS(Cloud<2>(Points<2>(Points<2>::Constant(2, 1000000, 0.5))),
                          "particles 0 and 1 coincide at (0.5, 0.5)", InvalidInput);
     x.col(431)[2] += 1e-13;
-    CHECK(Cloud<3>(x).h()[431] == support::relative(1e-13, 1e-2));
+    CHECK(Cloud<3>(x).apart()[431] == support::relative(1e-13, 1e-2));
 }
 
 TEST_CASE("cloud: a position that is not finite is refused with its particle") {
@@ -136,7 +136,7 @@ TEST_CASE("cloud: positions whose distances overflow are refused with their part
     CHECK_THROWS_WITH_AS(Cloud<2>{x}, doctest::Contains("particle 4 is too far away, at (1e+200, 0."),
                          InvalidInput);
     x(0, 4) = 1e149;
-    CHECK(Cloud<2>(x).h()[4] == support::relative(1e149, 1e-15));
+    CHECK(Cloud<2>(x).apart()[4] == support::relative(1e149, 1e-15));
 }
 
 TEST_CASE("cloud: fewer than two particles are refused with their number") {
@@ -144,67 +144,5 @@ TEST_CASE("cloud: fewer than two particles are refused with their number") {
                          InvalidInput);
     CHECK_THROWS_WITH_AS(Cloud<3>(Points<3>(3, 0)), "a cloud needs at least 2 particles, got 0",
                          InvalidInput);
-    CHECK(Cloud<2>(Points<2>{{0, 3}, {0, 4}}).h()[1] == 5);
-}
-
-TEST_CASE("cloud: surroundings are the offsets, kernel values and numbers of the particles in the support") {
-    const Cloud<2> cloud(support::random_points<2>(300, 5));
-    const TruncatedGaussian<2> kernel(2.5);
-    support::Draws draw(1);
-    for (int k = 0; k < 20; ++k) {
-        const Point<2> place = 0.6 * draw.point<2>();
-        const double h = 0.06;
-        const Surroundings<2> near = surroundings(cloud, kernel, place, h);
-        std::vector<int> sorted = near.particle;
-        std::sort(sorted.begin(), sorted.end());
-        REQUIRE(sorted == within_by_brute_force(cloud.x(), place, 2.5 * h));
-        REQUIRE(near.s.rows() == static_cast<Index>(near.particle.size()));
-        REQUIRE(near.W.size() == near.s.rows());
-        CHECK(near.edge == kernel.edge());
-        for (Index j = 0; j < near.W.size(); ++j) {
-            const Point<2> offset = (cloud.x().col(near.particle[static_cast<std::size_t>(j)]) - place) / h;
-            CHECK((near.s.row(j).matrix().transpose() - offset).norm() < 1e-14);
-            CHECK(near.W[j] == support::relative(kernel.at(offset.squaredNorm()), 1e-11));
-        }
-    }
-}
-
-TEST_CASE("cloud: a particle on the support's very edge is none, whatever round-off says") {
-    for (const Index n : {7, 10, 38, 101}) {
-        const Cloud<2> cloud(support::grid_points<2>(n));
-        const double h = cloud.h()[0];
-        const Point<2> place = cloud.x().col(3 * n + 3);
-        CHECK(surroundings(cloud, TruncatedGaussian<2>(2), place, h).particle.size() == 9);
-        CHECK(surroundings(cloud, TruncatedGaussian<2>(3), place, h).particle.size() == 25);
-        CHECK(surroundings(cloud, TruncatedGaussian<2>(2.001), place, h).particle.size() == 13);
-    }
-}
-
-TEST_CASE("cloud: of the particles that come into question only those in the support are seen") {
-    const Cloud<2> cloud(support::random_points<2>(300, 5));
-    const TruncatedGaussian<2> kernel(3);
-    const Point<2> place(0.4, 0.7);
-    std::vector<int> every(300), even;
-    for (int j = 0; j < 300; ++j) {
-        every[static_cast<std::size_t>(j)] = j;
-        if (j % 2 == 0) even.push_back(j);
-    }
-    const auto all = surroundings(cloud, kernel, place, 0.05, cloud.within(place, 0.15));
-    const auto same = surroundings(cloud, kernel, place, 0.05, every);
-    CHECK(same.particle == all.particle);
-    CHECK((same.s == all.s).all());
-    CHECK((same.W == all.W).all());
-    for (const int j : surroundings(cloud, kernel, place, 0.05, even).particle) CHECK(j % 2 == 0);
-    CHECK(surroundings(cloud, kernel, place, 0.05, {}).particle.empty());
-}
-
-TEST_CASE("cloud: scaling all lengths changes nothing of what a place sees") {
-    const Points<3> x = support::random_points<3>(300, 9);
-    const TruncatedGaussian<3> kernel(3);
-    const Point<3> place(0.4, 0.5, 0.6);
-    const auto near = surroundings(Cloud<3>(x), kernel, place, 0.1);
-    const auto scaled = surroundings(Cloud<3>(1024 * x), kernel, Point<3>(1024 * place), 102.4);
-    CHECK(near.particle == scaled.particle);
-    CHECK((near.s == scaled.s).all());
-    CHECK((near.W == scaled.W).all());
+    CHECK(Cloud<2>(Points<2>{{0, 3}, {0, 4}}).apart()[1] == 5);
 }

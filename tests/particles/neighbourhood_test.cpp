@@ -1,6 +1,9 @@
 #include "particles/neighbourhood.hpp"
 
 #include <doctest/doctest.h>
+#include <algorithm>
+
+#include "tests/clouds.hpp"
 #include "tests/relative.hpp"
 
 using namespace particles;
@@ -9,6 +12,20 @@ namespace {
 
 Line<double> uniform(Index N) {
     return line_at<double>(uniform_positions<double>(N), Volumes::equal);
+}
+
+/// Calls `check` for one, two and three dimensions, as compile-time numbers.
+template <class Check>
+void in_every_dimension(const Check& check) {
+    check(std::integral_constant<int, 1>{});
+    check(std::integral_constant<int, 2>{});
+    check(std::integral_constant<int, 3>{});
+}
+
+std::vector<int> numbers(Index N, int step = 1) {
+    std::vector<int> all;
+    for (int j = 0; j < N; j += step) all.push_back(j);
+    return all;
 }
 
 }  // namespace
@@ -66,7 +83,101 @@ TEST_CASE("neighbourhood: scaling the line changes nothing") {
     CHECK((near.V == scaled.V).all());
 }
 
-TEST_CASE("neighbourhood: a smoothing length must be positive and finite") {
-    for (const double h : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
-        CHECK_THROWS_AS(Smoothing<double>(Gaussian{}, h), InvalidInput);
+TEST_CASE("neighbourhood: a place of a cloud sees offsets, kernel, gradient and volumes in units of h") {
+    in_every_dimension([](auto dimension) {
+        constexpr int dim = dimension;
+        const Cloud<dim> cloud(support::random_points<dim>(300, 5), Column<double>::LinSpaced(300, 1, 2));
+        support::Draws draw(1);
+        const double h = dim == 1 ? 0.02 : dim == 2 ? 0.06 : 0.15;
+        const auto check = [&](const Kernel<dim>& kernel) {
+            const Point<dim> place = 0.6 * draw.point<dim>();
+            const std::vector<int> particle = in_support(cloud, kernel, place, h);
+            const auto [r, W, DW, V] = neighbourhood(cloud, kernel, place, h, particle);
+            const double support = particles::support<double>(kernel);
+            Index reached = 0;
+            for (Index j = 0; j < cloud.size(); ++j)
+                reached += (cloud.x().col(j) - place).norm() < support * h * (1 - 1e-7);
+            REQUIRE(static_cast<Index>(particle.size()) == reached);
+            REQUIRE(r.rows() == reached);
+            REQUIRE(DW.rows() == reached);
+            for (Index k = 0; k < reached; ++k) {
+                const int j = particle[static_cast<std::size_t>(k)];
+                const Point<dim> s = (cloud.x().col(j) - place) / h;
+                const double value = std::visit([&](const auto& w) { return w.W(s.norm()); }, kernel);
+                const double slope = std::visit([&](const auto& w) { return w.DW(s.norm()); }, kernel);
+                CHECK((r.row(k).matrix().transpose() - s).norm() < 1e-13);
+                CHECK(std::abs(W[k] - value) < 1e-13);
+                CHECK((DW.row(k).matrix().transpose() - slope * s / s.norm()).norm() < 1e-12);
+                CHECK(V[k] == support::relative(cloud.V()[j] / std::pow(h, dim), 1e-12));
+            }
+        };
+        for_each_kernel<dim>(check);
+        check(TruncatedGaussian<dim>(2.5));
+    });
+}
+
+TEST_CASE("neighbourhood: a line is an ordered cloud") {
+    const Column<double> x = perturbed_positions<double>(60, 0.3, 4);
+    const auto line = line_at<double>(x, Volumes::partition);
+    const Cloud<1> cloud(x.matrix().transpose(), line.V());
+    for_each_kernel([&](const Kernel<>& kernel) {
+        const double h = 1.4 * line.spacing();
+        for (const Index i : {0, 7, 59}) {
+            const Range range = within_reach(line, Smoothing<double>(kernel, h), i);
+            const std::vector<int> near = within_reach(cloud, Smoothing<double>(kernel, h), i);
+            REQUIRE(static_cast<Index>(near.size()) == range.size());
+            CHECK(near.front() == range.first);
+            const auto [r, W, DW, V] = neighbourhood(line, Smoothing<double>(kernel, h), i);
+            const auto of_cloud = neighbourhood(cloud, Smoothing<double>(kernel, h), i);
+            CHECK((r == of_cloud.r).all());
+            CHECK((W == of_cloud.W).all());
+            CHECK((DW == of_cloud.DW).all());
+            CHECK((V == of_cloud.V).all());
+        }
+    });
+}
+
+TEST_CASE("neighbourhood: a particle of a grid on the support's very edge is none") {
+    for (const Index n : {7, 10, 38, 101}) {
+        const Cloud<2> cloud(support::grid_points<2>(n));
+        const double h = cloud.apart()[0];
+        const Point<2> place = cloud.x().col(3 * n + 3);
+        CHECK(in_support<2>(cloud, TruncatedGaussian<2>(2), place, h).size() == 9);
+        CHECK(in_support<2>(cloud, TruncatedGaussian<2>(3), place, h).size() == 25);
+        CHECK(in_support<2>(cloud, TruncatedGaussian<2>(2.001), place, h).size() == 13);
+        CHECK(in_support<2>(cloud, CubicSpline<2>{}, place, h).size() == 9);
+    }
+}
+
+TEST_CASE("neighbourhood: of the particles that come into question only those in the support are taken") {
+    const Cloud<2> cloud(support::random_points<2>(300, 5));
+    const Kernel<2> kernel = TruncatedGaussian<2>(3);
+    const Point<2> place(0.4, 0.7);
+    const auto all = in_support(cloud, kernel, place, 0.05, cloud.within(place, 0.15));
+    CHECK(in_support(cloud, kernel, place, 0.05, numbers(300)) == all);
+    for (const int j : in_support(cloud, kernel, place, 0.05, numbers(300, 2))) {
+        CHECK(j % 2 == 0);
+        CHECK(std::count(all.begin(), all.end(), j) == 1);
+    }
+    CHECK(in_support(cloud, kernel, place, 0.05, {}).empty());
+}
+
+TEST_CASE("neighbourhood: scaling all lengths by a power of two changes nothing of what a place sees") {
+    in_every_dimension([](auto dimension) {
+        constexpr int dim = dimension;
+        const Points<dim> x = support::random_points<dim>(300, 9);
+        const Point<dim> place = Point<dim>::Constant(0.45);
+        const Cloud<dim> cloud(x), scaled(1024 * x);
+        for_each_kernel<dim>([&](const Kernel<dim>& kernel) {
+            const std::vector<int> near = in_support(cloud, kernel, place, 0.1);
+            const Point<dim> there = 1024 * place;
+            CHECK(in_support(scaled, kernel, there, 102.4) == near);
+            const auto one = neighbourhood(cloud, kernel, place, 0.1, near);
+            const auto other = neighbourhood(scaled, kernel, there, 102.4, near);
+            CHECK((one.r == other.r).all());
+            CHECK((one.W == other.W).all());
+            CHECK((one.DW == other.DW).all());
+            CHECK((one.V / other.V - 1).abs().maxCoeff() < 1e-14);
+        });
+    });
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <omp.h>
 
+#include "base/errors.hpp"
 #include "tests/clouds.hpp"
 
 using namespace solvers;
@@ -25,7 +26,7 @@ std::vector<std::vector<int>> ring(int N) {
 SparseRows random_matrix(int N, double diagonal, unsigned seed) {
     support::Draws draw(seed);
     const auto near = ring(N);
-    SparseRows A = rows_in_pairs(near);
+    SparseRows A = rows_in_blocks(near, 2);
     for (Index row = 0; row < A.rows(); ++row) {
         const auto& neighbours = near[static_cast<std::size_t>(row / 2)];
         const auto count = static_cast<Index>(neighbours.size());
@@ -38,7 +39,7 @@ SparseRows random_matrix(int N, double diagonal, unsigned seed) {
 
 /// 2 × 2 blocks of a matrix of two particles that are each other's neighbours.
 SparseRows full(const Eigen::Matrix4d& entries) {
-    SparseRows A = rows_in_pairs({{0, 1}, {0, 1}});
+    SparseRows A = rows_in_blocks({{0, 1}, {0, 1}}, 2);
     for (Index row = 0; row < 4; ++row)
         set_row(A, row, {0, 1}, Eigen::Array2d(entries(row, 0), entries(row, 2)),
                 Eigen::Array2d(entries(row, 1), entries(row, 3)));
@@ -47,8 +48,8 @@ SparseRows full(const Eigen::Matrix4d& entries) {
 
 }  // namespace
 
-TEST_CASE("sparse: rows in pairs have room for both unknowns of each neighbour, and are zero") {
-    const SparseRows A = rows_in_pairs({{0, 2}, {1}, {0, 1, 2}});
+TEST_CASE("sparse: rows in blocks have room for all unknowns of each neighbour, and are zero") {
+    const SparseRows A = rows_in_blocks({{0, 2}, {1}, {0, 1, 2}}, 2);
     CHECK(A.rows() == 6);
     CHECK(A.cols() == 6);
     CHECK(A.nonZeros() == 2 * 4 + 2 * 2 + 2 * 6);
@@ -64,13 +65,26 @@ TEST_CASE("sparse: rows in pairs have room for both unknowns of each neighbour, 
 }
 
 TEST_CASE("sparse: a row that is set holds the factors of the named particles and nothing else") {
-    SparseRows A = rows_in_pairs({{0, 1, 2, 3}, {1}, {2}, {3}});
+    SparseRows A = rows_in_blocks({{0, 1, 2, 3}, {1}, {2}, {3}}, 2);
     set_row(A, 1, {1, 3}, Eigen::Array2d(5, 7), Eigen::Array2d(6, 8));
     CHECK(Eigen::MatrixXd(A).row(1) == Eigen::RowVectorXd{{0, 0, 5, 6, 0, 0, 7, 8}});
     CHECK(Eigen::MatrixXd(A).row(0).isZero(0));
     CHECK(Eigen::MatrixXd(A).bottomRows(6).isZero(0));
     set_row(A, 7, {3}, Eigen::ArrayXd::Constant(1, 2), Eigen::ArrayXd::Constant(1, 3));
     CHECK(Eigen::MatrixXd(A).row(7) == Eigen::RowVectorXd{{0, 0, 0, 0, 0, 0, 2, 3}});
+}
+
+TEST_CASE("sparse: one unknown at a point, and three") {
+    SparseRows one = rows_in_blocks({{0, 1}, {1}, {0, 2}}, 1);
+    CHECK(one.nonZeros() == 5);
+    set_row(one, 2, {0, 2}, Eigen::Array2d(4, 5));
+    CHECK(Eigen::MatrixXd(one).row(2) == Eigen::RowVector3d(4, 0, 5));
+    SparseRows three = rows_in_blocks({{0, 1}, {1}}, 3);
+    CHECK(three.nonZeros() == 3 * 6 + 3 * 3);
+    set_row(three, 1, {1}, Eigen::ArrayXd::Constant(1, 7), Eigen::ArrayXd::Constant(1, 8),
+            Eigen::ArrayXd::Constant(1, 9));
+    CHECK(Eigen::MatrixXd(three).row(1) == Eigen::RowVectorXd{{0, 0, 0, 7, 8, 9}});
+    CHECK(Eigen::MatrixXd(three).row(2).isZero(0));
 }
 
 TEST_CASE("sparse: a known solution is found") {

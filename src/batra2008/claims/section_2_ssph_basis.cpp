@@ -16,12 +16,23 @@ namespace batra2008::claims {
 
 namespace {
 
+/// The particles in the support around a place beside the origin, and what it sees of them.
+struct Seen {
+    std::vector<int> particle;
+    particles::Neighbourhood<double, 2> near;
+};
+Seen seen_by(const particles::Cloud<2>& cloud) {
+    const particles::Kernel<2> kernel = particles::TruncatedGaussian<2>(3);
+    const Point<2> place(0.1, 0);
+    const std::vector<int> particle = particles::in_support(cloud, kernel, place, 0.3);
+    return {particle, particles::neighbourhood(cloud, kernel, place, 0.3, particle)};
+}
+
 /// Asymmetry of the sum of (2.5) relative to its largest entry.
 double asymmetry() {
     const auto cloud = random_cloud<2>(60, 3);
-    const auto near =
-        particles::surroundings(cloud, particles::TruncatedGaussian<2>(3), Point<2>(0.1, 0), 0.3);
-    const auto H = ssph_basis::H<2, 2, double>(near.s);
+    const auto near = seen_by(cloud).near;
+    const auto H = ssph_basis::H<2, 2, double>(near.r);
     const auto C = ssph_basis::summed(H, near.W);
     return (C - C.transpose()).cwiseAbs().maxCoeff() / C.cwiseAbs().maxCoeff();
 }
@@ -29,9 +40,9 @@ double asymmetry() {
 /// Largest error of the derivatives of a quadratic with equal weights for all particles.
 double error_with_constant_kernel() {
     const auto cloud = random_cloud<2>(60, 2);
-    auto near = particles::surroundings(cloud, particles::TruncatedGaussian<2>(3), Point<2>(0.1, 0), 0.3);
+    auto [particle, near] = seen_by(cloud);
     near.W.setOnes();
-    const ssph_basis::Basis<2, 2> basis(near, 0.3);
+    const ssph_basis::Basis<2, 2> basis(near, particle, 0.3);
     const auto f = [](const Point<2>& x) {
         return 1 + 2 * x[0] - x[1] + 3 * x[0] * x[0] + x[0] * x[1] - 2 * x[1] * x[1];
     };

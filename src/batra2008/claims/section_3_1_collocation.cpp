@@ -51,7 +51,7 @@ void print_tractions(System& system, const Problem& problem, const Cloud<2>& clo
         for (std::size_t row = 0; row < conditions.size(); ++row) {
             if (conditions[row].displacement || conditions[row].component == 0) continue;
             const auto basis =
-                ssph_basis::basis_at<2>(cloud, kernel, Point<2>(cloud.x().col(I)), cloud.h()[I]);
+                ssph_basis::basis_at<2>(cloud, kernel, Point<2>(cloud.x().col(I)), cloud.apart()[I]);
             const Column<double> too_much = excess(basis, problem.material, conditions[row].n);
             for (std::size_t j = 0; j < basis.particle().size(); ++j)
                 system.A.coeffRef(2 * I + static_cast<Index>(row), 2 * basis.particle()[j] + 1) +=
@@ -68,7 +68,7 @@ double plate_error(bool printed) {
     const example_problems::Discretisation how{example_problems::Method::strong, 3};
     System system = example_problems::system(problem, cloud, how);
     if (printed) print_tractions(system, problem, cloud, Kernel(how.scaling));
-    return plate::largest_error_u2(cloud, {how, material, solved(system)}, problem);
+    return plate::largest_error_u2(cloud, {how, material, cloud.apart(), solved(system)}, problem);
 }
 
 }  // namespace

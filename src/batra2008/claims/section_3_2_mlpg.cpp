@@ -15,7 +15,8 @@ double bases_for_one(Index nx, Index ny) {
     const particles::Region region = elastostatics::region(problem);
     double bases = 0;
     for (Index I = 0; I < cloud.size(); ++I) {
-        const auto Omega = mlpg::subdomain(problem, region, cloud.x().col(I), cloud.h()[I], Kernel(1), 10);
+        const auto Omega =
+            mlpg::subdomain(problem, region, cloud.x().col(I), cloud.apart()[I], Kernel(1), 10);
         bases += static_cast<double>(Omega.inside.size());
         for (const auto& at : Omega.boundary) bases += at.displaced[0] || at.displaced[1] ? 1 : 0;
     }
