@@ -34,7 +34,6 @@ std::vector<std::string> known_formulations(const std::vector<std::string>& extr
 
 /// The options that all rows share.
 std::string parameters(const Options& options) {
-    particles::spacing_named(options.smoothing_from);
     const bool from_mean = options.smoothing_from == "mean";
     std::string text = "kernel " + options.kernel +
                        (from_mean ? ", h/delta " : ", h/" + options.smoothing_from + " spacing ") +
@@ -96,7 +95,7 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
         .type_name("RATIO");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local (to the farther of its two neighbours), nearest, or K-nearest (to the farthest of the K nearest, such as 4-nearest)")
+           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local (to the farther of its two neighbours), nearest, K-nearest (to the farthest of the K nearest, such as 4-nearest), a number, or a file with a number for each particle")
         .type_name("NAME");
     app.add_list("--perturb", options.perturbations,
                  "amplitudes a, a list: inner particles move by U(-1,1) a delta (default 0; the paper: 0.25)")
@@ -133,7 +132,7 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
 
-    const auto nearest = static_cast<double>(particles::spacing_named(options.smoothing_from).k);
+    const auto nearest = static_cast<double>(spacing_from(options.smoothing_from).k);
     const double reach = particles::support<double>(particles::kernel_named(options.kernel)) *
                          (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0) *
                          std::ceil(nearest / 2);
@@ -165,7 +164,7 @@ std::array<Cell, 2> perturbation_and_seed(const Options& options, const Case& on
 
 asprone2010::numerical_tests::Discretisation discretisation_of(const Options& options, const Case& one) {
     return {particles::volumes_named(options.volumes), particles::kernel_named(options.kernel),
-            options.smoothing, one.perturbation, particles::spacing_named(options.smoothing_from)};
+            options.smoothing, one.perturbation, spacing_from(options.smoothing_from)};
 }
 
 void tabulate(report::Table& table, const Options& options,

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
+#include "command_line/positions.hpp"
 #include "report/file.hpp"
 
 namespace command_line {
@@ -47,7 +48,9 @@ example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
     const auto start = Clock::now();
     System system = example_problems::system(problem, cloud, how);
     const auto assembled = Clock::now();
-    example_problems::Solution solution{how, problem.material, batra2008::solved(std::move(system))};
+    example_problems::Solution solution{how, problem.material,
+                                        example_problems::smoothing_lengths(cloud, how),
+                                        batra2008::solved(std::move(system))};
     cost = {Seconds(assembled - start).count(), Seconds(Clock::now() - assembled).count(), peak()};
     return solution;
 }
@@ -84,6 +87,10 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
     app.add_list("--scaling", options.scaling,
                  "scaling factors rho of the SSPH basis' kernel (default " +
                      base::shown(options.scaling.front()) + ")");
+    app.add_option(
+           "--smoothing-from", options.smoothing_from,
+           "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest, for stretched grids), local, mean, largest, a number, or a file with a number for each particle")
+        .type_name("NAME");
     app.add_list("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)");
     app.add_list("--gauss", options.gauss,
                  "Gauss points n_G along a radius, and 4 n_G in angle, of the weak forms (default 10)");
@@ -133,6 +140,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
     check_apart({{"--plot", options.figure.path}, {"--field", options.field}});
     const std::vector<std::string> methods = chosen("method", options.methods, {"strong", "weak1", "weak2"});
     const auto plane = elastostatics::plane_named(options.plane);
+    const particles::Spacing smoothing_from = spacing_from(options.smoothing_from);
     double count = 1;
     for (const std::size_t choices :
          {methods.size(), options.poisson.size(), options.degree.size(), options.scaling.size(),
@@ -162,7 +170,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                 const auto material = elastostatics::checked({E, nu, plane});
                                 all.push_back({{example_problems::method_named(method), scaling,
                                                 static_cast<int>(degree), factor * penalty(material),
-                                                test_scaling, gauss},
+                                                test_scaling, gauss, smoothing_from},
                                                material});
                             }
     return all;
@@ -284,6 +292,8 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
     table_.comments = {
         about,
         "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 of (4.4), dn the difference of the norms, nd the norm of the difference"};
+    if (options.smoothing_from != "nearest")
+        table_.comments.push_back("smoothing lengths from " + options.smoothing_from);
     table_.columns = case_columns();
     for (const auto& column : layout) table_.columns.push_back(column);
     for (const auto& column : options.states.empty() ? errors : state_columns(cases))

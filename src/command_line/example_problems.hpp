@@ -16,7 +16,7 @@ struct ExampleOptions {
     std::vector<std::string> methods{"all"};
     std::vector<double> scaling{3}, test_scaling{1}, penalty{1}, poisson{0.33};
     std::vector<long> gauss{10}, degree{2};
-    std::string plane = "stress";
+    std::string plane = "stress", smoothing_from = "nearest";
     std::string states, field;
     long points = 101;
     bool seconds = false;

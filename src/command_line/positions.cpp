@@ -123,4 +123,23 @@ particles::Points<2> read_points(const std::string& path) {
     return Eigen::Map<particles::Points<2>>(x.data(), 2, static_cast<particles::Index>(x.size() / 2));
 }
 
+particles::Spacing spacing_from(const std::string& text) {
+    double number = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), number).ptr == text.data() + text.size()) {
+        if (!(std::isfinite(number) && number > 0))
+            throw InvalidInput("--smoothing-from must be positive and finite, got " + text);
+        return particles::Spacing(number);
+    }
+    if (text.find_first_of("./") == std::string::npos) return particles::spacing_named(text);
+    const Refusal refuse{"--smoothing-from", text};
+    const std::string content = report::read_whole(text);
+    std::vector<double> lengths;
+    for_each_line(content, [&](const Line& line) {
+        lengths.push_back(number_in(line, line.text, refuse));
+        if (!(lengths.back() > 0)) refuse(line, line.text, "is not positive");
+    });
+    return particles::Spacing(particles::Column<double>(Eigen::Map<particles::Column<double>>(
+        lengths.data(), static_cast<particles::Index>(lengths.size()))));
+}
+
 }  // namespace command_line

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "particles/cells.hpp"
-#include "particles/line.hpp"
+#include "particles/spacing.hpp"
 
 namespace command_line {
 
@@ -20,5 +20,11 @@ particles::Column<double> read_positions(const std::string& path);
 /// \throws base::InvalidInput naming file, line and value of any line that is not two numbers
 /// \throws base::FailedComputation where the file cannot be read
 particles::Points<2> read_points(const std::string& path);
+
+/// The unit of smoothing lengths that an option names: a number [length]; a file (a name with a dot or a slash)
+/// with a number for each particle, in their order; or a name of particles::spacing_named().
+/// \throws base::InvalidInput for another name, and for a number that is not positive
+/// \throws base::FailedComputation where the file cannot be read
+particles::Spacing spacing_from(const std::string& text);
 
 }  // namespace command_line
