@@ -77,7 +77,7 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
             return "try --scaling " + base::shown(scaling) +
                    (from_nearest.empty() ? "" : " or " + from_nearest);
     }
-    return "take other particles";
+    return from_nearest.empty() ? "take other particles" : "try " + from_nearest;
 }
 
 /// "ssph_basis: at (0.1, 0.2) there are 5 particles within 2h = 0.1 for the 6 monomials of degree 2; try

@@ -132,13 +132,16 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
 
-    const auto nearest = static_cast<double>(spacing_from(options.smoothing_from).k);
-    const double reach = particles::support<double>(particles::kernel_named(options.kernel)) *
-                         (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0) *
-                         std::ceil(nearest / 2);
+    const double support = particles::support<double>(particles::kernel_named(options.kernel)) *
+                           (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0);
+    const auto spacings = [&](long N) {  // h/δ, at most
+        return options.spacing.kind == particles::Spacing::given
+                   ? options.spacing.lengths.maxCoeff() * static_cast<double>(N - 1)
+                   : std::ceil(static_cast<double>(options.spacing.k) / 2);
+    };
     const std::size_t scalar =
         in_precision(options.precision, [](auto zero) { return sizeof(decltype(zero)); });
-    for (const long N : options.particles) check_line(N, reach, scalar);
+    for (const long N : options.particles) check_line(N, support * spacings(N), scalar);
     const double count = static_cast<double>(wanted.size() * options.particles.size()) *
                          static_cast<double>(options.perturbations.size()) *
                          static_cast<double>(options.seeds);
@@ -164,7 +167,7 @@ std::array<Cell, 2> perturbation_and_seed(const Options& options, const Case& on
 
 asprone2010::numerical_tests::Discretisation discretisation_of(const Options& options, const Case& one) {
     return {particles::volumes_named(options.volumes), particles::kernel_named(options.kernel),
-            options.smoothing, one.perturbation, spacing_from(options.smoothing_from)};
+            options.smoothing, one.perturbation, options.spacing};
 }
 
 void tabulate(report::Table& table, const Options& options,
@@ -233,6 +236,11 @@ int run(CommandLine& app, int argc, char** argv, Options& options,
                                std::string(app.name() == "vibration_test" ? "" : ", or --median"));
         if (!options.figure.path.empty() && options.perturbations.size() > 2)
             throw InvalidInput("--plot draws at most two perturbations, such as 0,0.25");
+        options.spacing = spacing_from(options.smoothing_from);
+        if (options.spacing.kind == particles::Spacing::given)
+            check_apart({{"--output", options.output},
+                         {"--plot", options.figure.path},
+                         {"--smoothing-from", options.smoothing_from}});
         if (options.positions_file) {
             check_apart({{"--output", options.output},
                          {"--plot", options.figure.path},

@@ -23,6 +23,7 @@ struct Options {
     std::string kernel = "gaussian";
     double smoothing = 1;
     std::string smoothing_from = "mean";
+    particles::Spacing spacing = particles::Spacing::mean;  ///< of this name, once a file is read
     std::string precision = "double";
     std::vector<double> perturbations{0};
     unsigned long seed = 1;

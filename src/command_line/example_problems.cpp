@@ -141,6 +141,11 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
     const std::vector<std::string> methods = chosen("method", options.methods, {"strong", "weak1", "weak2"});
     const auto plane = elastostatics::plane_named(options.plane);
     const particles::Spacing smoothing_from = spacing_from(options.smoothing_from);
+    if (smoothing_from.kind == particles::Spacing::given)
+        check_apart({{"--output", options.output},
+                     {"--field", options.field},
+                     {"--plot", options.figure.path},
+                     {"--smoothing-from", options.smoothing_from}});
     double count = 1;
     for (const std::size_t choices :
          {methods.size(), options.poisson.size(), options.degree.size(), options.scaling.size(),

@@ -205,6 +205,30 @@ TEST_CASE(
         1, "times as large");
 }
 
+TEST_CASE("positions: smoothing lengths from a number, and from a file with a number for each particle") {
+    const Folder folder;
+    const std::string file = folder.path + "/h.csv";
+    std::string lengths = "length\n";
+    for (int k = 0; k < 20; ++k) lengths += "0.1  # comment\n";
+    report::write_whole(file, lengths);
+    const auto error = [](const std::string& from) {
+        const auto table = report::parsed(
+            run("derivative_test --formulation modified_fpm --particles 20 --smoothing-from " + from).output);
+        return std::get<double>(table.rows[0][table.column("error_second")]);
+    };
+    CHECK(error("0.1") == error(file));
+    CHECK(error("0.1") != error("mean"));
+    CHECK(error("0.05263157894736842") == support::relative(error("mean"), 1e-9));
+    const std::string command = "derivative_test --particles 20 --smoothing-from ";
+    check_refused("derivative_test --particles 19 --smoothing-from " + file, 2,
+                  "19 particles need as many spacings, or one, got 20");
+    check_refused(command + "-1", 2, "--smoothing-from must be positive and finite, got -1");
+    check_refused(command + "/nowhere/h.csv", 1, "cannot read /nowhere/h.csv");
+    report::write_whole(file, "0.1\n0\n");
+    check_refused(command + file, 2, "h.csv, line 2: '0' is not positive");
+    check_refused(command + file + " --output " + file, 2, "--smoothing-from");
+}
+
 TEST_CASE("positions: what is no number or infinite is no header") {
     for (const char* first : {"nan", "NaN", "inf", "-inf", "infinity"})
         CHECK_THROWS_WITH_AS(read(std::string(first) + "\n" + irregular), doctest::Contains("is no number"),

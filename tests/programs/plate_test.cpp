@@ -73,6 +73,20 @@ TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output")
         programs::check_refused("plate " + options, 2, reason);
 }
 
+TEST_CASE(
+    "plate: cells of 3:1 have too few neighbours within the nearest distances, and are solved with six") {
+    programs::check_refused("plate --method weak1 --particles 21x13", 1, "--smoothing-from 6-nearest");
+    for (const std::string grid : {"21x13", "31x31"}) {
+        const auto table = report::parsed(
+            programs::run("plate --method weak1 --scaling 4 --smoothing-from 6-nearest --particles " + grid)
+                .output);
+        CHECK(table.comments.back() == "smoothing lengths from 6-nearest");
+        CHECK(std::get<double>(table.rows[0][table.column("max_error_u2_percent")]) < 2);
+    }
+    const auto by_number = programs::run("plate --particles 16x4 --smoothing-from 0.0666666666666666666");
+    CHECK(by_number.code == 0);
+}
+
 TEST_CASE("plate: a support that is too small is a failed computation with a remedy") {
     programs::check_refused("plate --scaling 2", 1, "for the 6 monomials of degree 2; try --scaling 2.5");
     programs::check_refused("plate --output /nowhere/x.csv", 1, "cannot write /nowhere/x.csv");
