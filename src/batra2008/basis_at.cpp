@@ -15,7 +15,7 @@ namespace {
 template <int m, int dim>
 Basis<dim, m> basis_on(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h, std::vector<int> near) {
-    auto seen = particles::neighbourhood<dim>(cloud, kernel, x, h, near);
+    auto seen = particles::neighbourhood(cloud, kernel, x, h, near);
     return Basis<dim, m>(std::move(seen), std::move(near), h);
 }
 

@@ -138,6 +138,7 @@ particles::Spacing spacing_from(const std::string& text) {
         lengths.push_back(number_in(line, line.text, refuse));
         if (!(lengths.back() > 0)) refuse(line, line.text, "is not positive");
     });
+    if (lengths.empty()) throw InvalidInput("--smoothing-from: " + text + " holds no number");
     return particles::Spacing(particles::Column<double>(Eigen::Map<particles::Column<double>>(
         lengths.data(), static_cast<particles::Index>(lengths.size()))));
 }

@@ -124,9 +124,10 @@ Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Sc
 }
 
 /// What a place sees of some particles of a cloud.
+/// \param kernel a Kernel, or one of the kernels itself
 /// \param h smoothing length [length] \param near numbers of the particles
-template <int dim>
-Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const Kernel<dim>& kernel,
+template <int dim, class AnyKernel>
+Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const AnyKernel& kernel,
                                          const Point<dim>& place, double h, const std::vector<int>& near) {
     const double per_h = 1 / h, per_volume = std::pow(per_h, dim);
     const auto count = static_cast<Index>(near.size());

@@ -227,6 +227,7 @@ TEST_CASE("positions: smoothing lengths from a number, and from a file with a nu
     report::write_whole(file, "0.1\n0\n");
     check_refused(command + file, 2, "h.csv, line 2: '0' is not positive");
     check_refused(command + file + " --output " + file, 2, "--smoothing-from");
+    check_refused(command + "/dev/null", 2, "/dev/null holds no number");
 }
 
 TEST_CASE("positions: what is no number or infinite is no header") {
