@@ -11,12 +11,24 @@ namespace batra2008::ssph_basis {
 
 namespace {
 
-/// The basis from those of some particles that lie in the kernel's support.
+/// The particles in the kernel's support around a place.
+template <int dim>
+particles::Support<dim> support_at(const particles::Cloud<dim>& cloud,
+                                   const particles::TruncatedGaussian<dim>& kernel, const Point<dim>& x,
+                                   double h, const std::vector<int>& among) {
+    return particles::support_at(cloud, particles::reach<double>(kernel), x, h, among);
+}
+
+/// The basis from the particles of a support; no volumes weigh it.
 template <int m, int dim>
-Basis<dim, m> basis_on(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, std::vector<int> near) {
-    auto seen = particles::neighbourhood(cloud, kernel, x, h, near);
-    return Basis<dim, m>(std::move(seen), std::move(near), h);
+Basis<dim, m> basis_on(particles::Support<dim> support, const particles::TruncatedGaussian<dim>& kernel,
+                       double h, Slopes slopes) {
+    Neighbourhood<double, dim> near{std::move(support.r), {}, {}, {}};
+    if (slopes == Slopes::known)
+        evaluate(kernel, near.r, near.W, near.DW);
+    else
+        near.W = kernel.at(support.r_squared.head(near.r.rows()));
+    return Basis<dim, m>(std::move(near), std::move(support.particle), h);
 }
 
 /// Whether these particles of a cloud determine the monomials.
@@ -24,7 +36,7 @@ template <int m, int dim>
 bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                 const Point<dim>& x, double h, const std::vector<int>& among) {
     try {
-        basis_on<m>(cloud, kernel, x, h, particles::in_support<dim>(cloud, kernel, x, h, among));
+        basis_on<m>(support_at(cloud, kernel, x, h, among), kernel, h, Slopes::none);
         return true;
     } catch (const particles::SingularNeighbourhood&) {
         return false;
@@ -98,12 +110,12 @@ template <int m, int dim>
 
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, const std::vector<int>& among) {
-    std::vector<int> near = particles::in_support<dim>(cloud, kernel, x, h, among);
-    const std::size_t found = near.size();
+                       const Point<dim>& x, double h, const std::vector<int>& among, Slopes slopes) {
+    particles::Support<dim> support = support_at(cloud, kernel, x, h, among);
+    const std::size_t found = support.particle.size();
     if (found < static_cast<std::size_t>(terms<dim, m>)) refuse<m>(cloud, kernel.rho(), x, h, found, "");
     try {
-        return basis_on<m>(cloud, kernel, x, h, std::move(near));
+        return basis_on<m>(std::move(support), kernel, h, slopes);
     } catch (const particles::SingularNeighbourhood& singular) {
         refuse<m>(cloud, kernel.rho(), x, h, found,
                   std::string(", which they do not determine: ") + singular.what());
@@ -112,8 +124,8 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h) {
-    return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h));
+                       const Point<dim>& x, double h, Slopes slopes) {
+    return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h), slopes);
 }
 
 template <int m, int dim>
@@ -132,9 +144,9 @@ std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
 // The functions of this file for a dimension and a degree.
 #define BATRA2008_BASIS_AT(dim, m)                                                                          \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
-                                    const Point<dim>&, double, const std::vector<int>&);                    \
+                                    const Point<dim>&, double, const std::vector<int>&, Slopes);            \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
-                                    const Point<dim>&, double);                                             \
+                                    const Point<dim>&, double, Slopes);                                     \
     template std::vector<int> nearest_that_determine<m>(                                                    \
         const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, Index, double, Index);
 BATRA2008_BASIS_AT(1, 1)

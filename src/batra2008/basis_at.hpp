@@ -8,18 +8,22 @@
 /// dimensions and monomials of degree 1 to 3.
 namespace batra2008::ssph_basis {
 
+/// Whether the derivatives of the basis functions, Basis::DK(), will be asked: they need the kernel's gradient.
+enum class Slopes { none, known };
+
 /// The basis from some particles of a cloud.
 /// \param among numbers of the particles to choose from
 /// \throws base::FailedComputation if the particles do not determine the monomials, with the place, the
 ///         number of particles, the number of monomials and a remedy that works
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, const std::vector<int>& among);
+                       const Point<dim>& x, double h, const std::vector<int>& among,
+                       Slopes slopes = Slopes::known);
 
 /// The basis from all particles within the kernel's support.
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h);
+                       const Point<dim>& x, double h, Slopes slopes = Slopes::known);
 
 /// The particles of a growing disc around a particle, as soon as there are enough of them and they determine
 /// the monomials; all within the kernel's support if that is not larger.

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "particles/local_system.hpp"
 #include "particles/multi_index.hpp"
 #include "particles/neighbourhood.hpp"
@@ -385,8 +386,10 @@ Vector<Scalar> Basis<dim, m, Scalar>::T(Index I, int axis) {
 /// \return weights [1/length to the order of the derivative + 1]
 template <int dim, int m, class Scalar>
 Column<Scalar> Basis<dim, m, Scalar>::DK(Index I, int axis) const {
-    const Column<Scalar>& W = near_.W;  // with respect to the place, not to the particle: −DW
-    const Column<Scalar> DW = -near_.DW.col(axis);
+    if (near_.DW.rows() == 0)
+        throw base::InvalidInput("this SSPH basis was made without the kernel's gradient");
+    const Column<Scalar>& W = near_.W;
+    const Column<Scalar> DW = -near_.DW.col(axis);  // with respect to the place, not to the particle
     const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I - 1));
     const Column<Scalar> p = P_times(a);
     const Vector<Scalar> DC_a = T(I, axis) + H_.lazyProduct((DW * p).matrix());

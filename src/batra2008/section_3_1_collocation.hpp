@@ -164,7 +164,9 @@ System system_on(const std::vector<std::vector<int>>& near, const Problem& probl
     return assembled(near, [&](Index I) {
         const Point<2> x = cloud.x().col(I);
         return equations_at<m>(
-            problem, x, ssph_basis::basis_at<m>(cloud, kernel, x, h[I], near[static_cast<std::size_t>(I)]));
+            problem, x,
+            ssph_basis::basis_at<m>(cloud, kernel, x, h[I], near[static_cast<std::size_t>(I)],
+                                    ssph_basis::Slopes::none));
     });
 }
 

@@ -294,9 +294,10 @@ struct Near {
     const Kernel& kernel;
     double h;                       ///< smoothing length [length]
     const std::vector<int>& among;  ///< in increasing order
+    ssph_basis::Slopes slopes;      ///< known, if the values' basis functions will be differentiated
 
     [[nodiscard]] ssph_basis::Basis<2, m> basis_at(const Point<2>& x) const {
-        return ssph_basis::basis_at<m>(cloud, kernel, x, h, among);
+        return ssph_basis::basis_at<m>(cloud, kernel, x, h, among, slopes);
     }
 };
 
@@ -436,8 +437,10 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kerne
     const auto Omega = [&](Index I) {
         return subdomain(problem, region, cloud.x().col(I), h[I], test, form.gauss);
     };
+    const auto slopes =
+        form.gradient == Gradient::differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none;
     const auto basis_near = [&](Index I) {
-        return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)]};
+        return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes};
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
     return system(

@@ -295,11 +295,17 @@ Scalar support(const Kernel<dim>& kernel) {
     return std::visit([](const auto& W) { return W.template support<Scalar>(); }, kernel);
 }
 
+template <class Scalar, template <int> class OneKernel, int dim>
+Scalar support(const OneKernel<dim>& kernel) {
+    return kernel.template support<Scalar>();
+}
+
 /// Distance within which particles are neighbours, in units of h: the radius of the support, less a fraction
 /// √ε or 1e-8, whichever is smaller. A particle on the very edge has no weight, and round-off must not decide
 /// whether it counts as a neighbour.
-template <class Scalar, int dim>
-Scalar reach(const Kernel<dim>& kernel) {
+/// \param kernel a Kernel, or one of the kernels itself
+template <class Scalar, class AnyKernel>
+Scalar reach(const AnyKernel& kernel) {
     using std::sqrt;
     const Scalar edge = std::min(Scalar(1e-8), Scalar(sqrt(std::numeric_limits<Scalar>::epsilon())));
     return support<Scalar>(kernel) * (1 - edge);

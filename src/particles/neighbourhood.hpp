@@ -154,15 +154,42 @@ Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const Smoothin
     return neighbourhood(cloud, smoothing, i, within_reach(cloud, smoothing, i));
 }
 
+/// Particles in the kernel's support around a place: their numbers, and their offsets in units of h.
+template <int dim>
+struct Support {
+    std::vector<int> particle;
+    Offsets<double, dim> r;
+    Column<double> r_squared;  ///< squared lengths of the offsets, in the first entries
+};
+
 /// Those of some particles of a cloud that lie in the kernel's support around a place.
-/// \param among numbers of the particles to choose from
+/// \param edge reach() of the kernel \param among numbers of the particles to choose from
+template <int dim>
+Support<dim> support_at(const Cloud<dim>& cloud, double edge, const Point<dim>& place, double h,
+                        std::vector<int> among) {
+    const auto most = static_cast<Index>(among.size());
+    const double per_h = 1 / h;
+    Offsets<double, dim> r(most, dim);
+    Column<double> r_squared(most);
+    Index count = 0;
+    for (const int j : among) {
+        const Eigen::Map<const Point<dim>> x(cloud.x().data() + dim * static_cast<Index>(j));
+        const Point<dim> offset = (x - place) * per_h;
+        for (Index axis = 0; axis < dim; ++axis) r(count, axis) = offset[axis];
+        r_squared[count] = offset.squaredNorm();
+        among[static_cast<std::size_t>(count)] = j;
+        count += r_squared[count] < edge * edge ? 1 : 0;
+    }
+    among.resize(static_cast<std::size_t>(count));
+    if (count < most) r.conservativeResize(count, Eigen::NoChange);
+    return {std::move(among), std::move(r), std::move(r_squared)};
+}
+
+/// The numbers of these particles.
 template <int dim>
 std::vector<int> in_support(const Cloud<dim>& cloud, const Kernel<dim>& kernel, const Point<dim>& place,
                             double h, std::vector<int> among) {
-    const double edge = reach<double>(kernel), per_h = 1 / h;
-    std::erase_if(among,
-                  [&](int j) { return !(((cloud.x().col(j) - place) * per_h).squaredNorm() < edge * edge); });
-    return among;
+    return support_at(cloud, reach<double>(kernel), place, h, std::move(among)).particle;
 }
 
 /// All of them, in the order of the search.

@@ -115,9 +115,10 @@ void evaluate(const TruncatedGaussian<dim>& kernel, const Offsets<Scalar, dim>& 
               Offsets<Scalar, dim>& DW) {
     const Column<Scalar> q = squared_lengths(s);
     W = kernel.at(q);
-    const Column<Scalar> gaussian = (q < Scalar(kernel.rho()) * Scalar(kernel.rho()))
-                                        .select(W + kernel.template edge<Scalar>(), Scalar(0));
-    DW = (Scalar(-2) * s).colwise() * gaussian;
+    const Scalar edge = kernel.template edge<Scalar>(), end = Scalar(kernel.rho()) * Scalar(kernel.rho());
+    DW.resize(s.rows(), dim);
+    for (Index axis = 0; axis < dim; ++axis)
+        DW.col(axis) = (q < end).select(Scalar(-2) * s.col(axis) * (W + edge), Scalar(0));
 }
 
 }  // namespace particles

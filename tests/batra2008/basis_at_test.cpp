@@ -116,6 +116,18 @@ TEST_CASE(
     CHECK_NOTHROW(support::bases(2, grid, 2.5, Point<2>(0, 0.5), 0.25));
 }
 
+TEST_CASE("basis_at: without the kernel's gradient the basis is the same, and its derivatives are refused") {
+    const Cloud<2> cloud(support::grid_points<2>(7));
+    const TruncatedGaussian<2> kernel(3);
+    const Point<2> x(0.4, 0.3);
+    const auto with = ssph_basis::basis_at<2>(cloud, kernel, x, 1.0 / 6);
+    const auto without = ssph_basis::basis_at<2>(cloud, kernel, x, 1.0 / 6, ssph_basis::Slopes::none);
+    CHECK(with.K() == without.K());
+    CHECK_NOTHROW((void)with.DK(1, 0));
+    CHECK_THROWS_WITH_AS((void)without.DK(1, 0), "this SSPH basis was made without the kernel's gradient",
+                         base::InvalidInput);
+}
+
 TEST_CASE("basis_at: in one dimension m + 1 particles are needed and suffice") {
     const Points<1> x{{0.1, 0.4, 0.9, 1.1}};
     for (const int m : {1, 2, 3}) {
