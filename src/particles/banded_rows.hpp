@@ -82,6 +82,9 @@ void annihilate_constants(Scalar* row, Index size, Index own) {
 template <class Scalar, class Neighbours, class Weights>
 void set_row(Rows<Scalar>& D, Index row, const Neighbours& near, Index own, const Weights& weights,
              const Scalar& unit) {
+    if (weights.size() != static_cast<Index>(near.size()))
+        throw InvalidInput("a formulation has given " + std::to_string(weights.size()) + " weights for " +
+                           std::to_string(near.size()) + " neighbours");
     Scalar* const values = begin_row(D, row, near);
     Eigen::Map<Column<Scalar>>(values, weights.size()) = weights * unit;
     annihilate_constants(values, weights.size(), own);

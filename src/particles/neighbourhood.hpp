@@ -35,11 +35,10 @@ using base::shown;
 /// \tparam dim dimension of space: one number, or a row of numbers, for each particle
 template <class Scalar = double, int dim = 1>
 struct Neighbourhood {
-    Offsets<Scalar, dim> r;  ///< offsets \f$(x_j - x_i)/h\f$
-    Column<Scalar> W;        ///< kernel values \f$h^{\dim}\,W_i(x_j)\f$
-    Offsets<Scalar, dim>
-        DW;            ///< the kernel's gradient \f$h^{\dim+1}\,\partial W_i/\partial x\f$ at \f$x_j\f$
-    Column<Scalar> V;  ///< volumes \f$\Delta\Omega_j/h^{\dim}\f$
+    Offsets<Scalar, dim> r;   ///< offsets \f$(x_j - x_i)/h\f$
+    Column<Scalar> W;         ///< kernel values \f$h^{\dim}\,W_i(x_j)\f$
+    Offsets<Scalar, dim> DW;  ///< kernel gradients \f$h^{\dim+1}\,DW_i(x_j)\f$
+    Column<Scalar> V;         ///< volumes \f$\Delta\Omega_j/h^{\dim}\f$
 };
 
 /// Consecutive particles, first … last − 1.

@@ -267,6 +267,9 @@ extern template Operators<long double> assemble(const Line<long double>&, const 
 template <class Scalar, class Weights>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                            const Requirement& required, const Weights& weights) {
+    static_assert(
+        std::is_same_v<std::invoke_result_t<Weights, const Neighbourhood<Scalar>&>, Derivatives<Scalar>>,
+        "weights of the first derivative alone need another function, which makes the operator D² of D");
     return assemble(line, smoothing, required, detail::rule_of<Scalar>(weights), {0, line.size()});
 }
 

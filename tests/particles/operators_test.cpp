@@ -397,6 +397,16 @@ TEST_CASE("operators: more weights than an index can count are refused before th
         InvalidInput);
 }
 
+TEST_CASE("operators: a formulation that gives too few weights is refused") {
+    const auto [line, smoothing] = particles_of(30, {});
+    Rule<double> rule;
+    rule.weights = [](const Neighbourhood<double>& near) {
+        return Derivatives<double>{near.DW * near.V, Column<double>()};
+    };
+    CHECK_THROWS_WITH_AS(assemble(line, smoothing, {"of one derivative", 2}, rule, {0, 30}),
+                         "a formulation has given 0 weights for 7 neighbours", InvalidInput);
+}
+
 TEST_CASE("operators: a row without a stored diagonal entry is refused") {
     Operator<double> shift(3, 3);
     const std::vector<Eigen::Triplet<double>> entries{{0, 0, 1}, {1, 2, 1}, {2, 2, 1}};
