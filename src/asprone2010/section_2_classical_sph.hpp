@@ -8,12 +8,12 @@
 /// Problem: Error Analysis and Development of a Second-Order Accurate Formulation*, CMES 62(1), 1–21.
 namespace asprone2010 {
 
+using base::Interval;
 using particles::CentredKernel;
 using particles::Column;
 using particles::Derivatives;
 using particles::Function;
 using particles::Index;
-using particles::Interval;
 using particles::inverse;
 using particles::Line;
 using particles::Neighbourhood;

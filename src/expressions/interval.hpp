@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/interval.hpp"
 #include "expressions/jet.hpp"
 
 namespace expressions {
@@ -14,12 +15,10 @@ namespace expressions {
 /// function's value at every number of its argument, exact or computed in floating point: bounds are rounded
 /// outwards. Where the function is not defined on the whole argument, or its values exceed double precision,
 /// the result is everything().
-struct Interval {
-    double lower, upper;
-
-    constexpr Interval() : Interval(0) {}
+struct Interval : base::Interval {
+    constexpr Interval() = default;
     constexpr explicit Interval(double number) : Interval(number, number) {}
-    constexpr Interval(double from, double to) : lower(from), upper(to) {}
+    constexpr Interval(double from, double to) : base::Interval{from, to} {}
 
     friend bool operator==(const Interval& a, const Interval& b) = default;
 };

@@ -7,22 +7,19 @@
 #include <variant>
 
 #include "base/errors.hpp"
+#include "base/interval.hpp"
 #include "base/text.hpp"
 #include "particles/kernels.hpp"
 #include "particles/quadrature.hpp"
 
 namespace particles {
 
+using base::Interval;
 using base::InvalidInput;
 using base::shown;
 
 /// A real function of the position.
 using Function = std::function<double(double)>;
-
-/// A closed interval, by its ends.
-struct Interval {
-    double first, last;
-};
 
 /// The kernel \f$W_i\f$ of a particle as a function of x, for the integral forms: its values, its derivative,
 /// and integrals over the domain Ω. Lengths have the unit of x; in the discrete forms their unit is h (see
@@ -42,8 +39,8 @@ struct CentredKernel {
         double sum = 0;
         const int pieces = static_cast<int>(std::ceil(support));
         for (int k = -pieces; k < pieces; ++k) {
-            const double from = std::max(x + std::max<double>(k, -support) * h, Omega.first);
-            const double to = std::min(x + std::min<double>(k + 1, support) * h, Omega.last);
+            const double from = std::max(x + std::max<double>(k, -support) * h, Omega.lower);
+            const double to = std::min(x + std::min<double>(k + 1, support) * h, Omega.upper);
             if (from < to) sum += particles::integral(f, from, to);
         }
         if (!std::isfinite(sum)) throw InvalidInput("the integral around x = " + shown(x) + " is not finite");

@@ -163,4 +163,9 @@ Column<double> spacing(const Cloud<dim>& cloud, const Spacing& which) {
     return detail::given_lengths(which, N);
 }
 
+// Compiled once for each dimension, in spacing.cpp.
+extern template Column<double> spacing(const Cloud<1>&, const Spacing&);
+extern template Column<double> spacing(const Cloud<2>&, const Spacing&);
+extern template Column<double> spacing(const Cloud<3>&, const Spacing&);
+
 }  // namespace particles
