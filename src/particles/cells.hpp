@@ -191,9 +191,4 @@ class Cells {
     std::optional<std::array<int, 2>> crowd_;
 };
 
-// Compiled once for each dimension, in cells.cpp.
-extern template class Cells<1>;
-extern template class Cells<2>;
-extern template class Cells<3>;
-
 }  // namespace particles

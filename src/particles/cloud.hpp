@@ -145,9 +145,4 @@ class Cloud {
     Column<double> apart_;
 };
 
-// Compiled once for each dimension, in cloud.cpp.
-extern template class Cloud<1>;
-extern template class Cloud<2>;
-extern template class Cloud<3>;
-
 }  // namespace particles
