@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "particles/spacing.hpp"
 
 namespace batra2008::ssph_basis {
 
@@ -57,16 +58,39 @@ std::string close_pair(const particles::Cloud<dim>& cloud, int particle) {
            "; leave one of them out";
 }
 
-/// "--smoothing-from 6-nearest": with as many neighbours as there are monomials, if that is enough.
+/// Whether the monomials are determined at every particle of a cloud, and at a place with the smoothing length of
+/// its nearest particle.
 template <int m, int dim>
-std::string nearest_remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x,
-                           int particle) {
+bool determined_everywhere(const particles::Cloud<dim>& cloud, double rho, const Column<double>& h,
+                           const Point<dim>& place) {
+    const particles::TruncatedGaussian<dim> kernel(rho);
+    const auto determined_at = [&](const Point<dim>& x, double h_x) {
+        return determined<m>(cloud, kernel, x, h_x, cloud.around(x, rho * h_x));
+    };
+    for (Index j = 0; j < cloud.size(); ++j)
+        if (!determined_at(cloud.x().col(j), h[j])) return false;
+    return determined_at(place, h[cloud.nearest(place)]);
+}
+
+/// "--smoothing-from 0.053": one length for the whole cloud, with which each particle has as many neighbours as there
+/// are monomials. Where it would be far too large for some, "--smoothing-from 6-nearest"; empty if neither is enough.
+template <int m, int dim>
+std::string smoothing_remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place) {
     constexpr Index n = terms<dim, m>;
+    constexpr double graded = 10;
     if (cloud.size() <= n) return "";
-    const double h = std::sqrt(cloud.cells().nearest(cloud.x().col(particle), n + 1).back());
-    const bool enough =
-        determined<m>(cloud, particles::TruncatedGaussian<dim>(rho), x, h, cloud.around(x, rho * h));
-    return enough ? "--smoothing-from " + std::to_string(n) + "-nearest" : "";
+    const Column<double> to_nth = particles::spacing(cloud, particles::Spacing::to_nearest(n));
+    const double least = to_nth.maxCoeff();
+    if (least > graded * to_nth.minCoeff())
+        return determined_everywhere<m>(cloud, rho, to_nth, place)
+                   ? "--smoothing-from " + std::to_string(n) + "-nearest"
+                   : "";
+    for (double h = least; h < 2 * least; h *= 1.1) {
+        const std::string shown = base::shown(1.005 * h, 3);  // rounded, but not down
+        const Column<double> all = Column<double>::Constant(cloud.size(), std::stod(shown));
+        if (determined_everywhere<m>(cloud, rho, all, place)) return "--smoothing-from " + shown;
+    }
+    return "";
 }
 
 /// "try --scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth.
@@ -74,10 +98,9 @@ template <int m, int dim>
 std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h) {
     constexpr Index n = terms<dim, m>;
     if (cloud.size() < n) return "take at least " + std::to_string(n) + " particles";
-    const int particle = cloud.nearest(x);
-    const std::string from_nearest = nearest_remedy<m>(cloud, rho, x, particle);
-    if (const std::string pair = close_pair(cloud, particle); !pair.empty())
-        return pair + (from_nearest.empty() ? "" : ", or try " + from_nearest);
+    const std::string larger_h = smoothing_remedy<m>(cloud, rho, x);
+    if (const std::string pair = close_pair(cloud, cloud.nearest(x)); !pair.empty())
+        return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
     Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
     std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
     const double reaching_n = std::floor(10 * distance[n - 1] / h * (1 + 1e-6) + 1);
@@ -86,10 +109,9 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
         const double scaling = (first + more) / 10;
         const particles::TruncatedGaussian<dim> larger(scaling);
         if (determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h)))
-            return "try --scaling " + base::shown(scaling) +
-                   (from_nearest.empty() ? "" : " or " + from_nearest);
+            return "try --scaling " + base::shown(scaling) + (larger_h.empty() ? "" : " or " + larger_h);
     }
-    return from_nearest.empty() ? "take other particles" : "try " + from_nearest;
+    return larger_h.empty() ? "take other particles" : "try " + larger_h;
 }
 
 /// "ssph_basis: at (0.1, 0.2) there are 5 particles within 2h = 0.1 for the 6 monomials of degree 2; try

@@ -89,7 +89,7 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
                      base::shown(options.scaling.front()) + ")");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest, for stretched grids), local, mean, largest, a number, or a file with a number for each particle")
+           "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest), local, mean, largest, a number (for stretched grids), or a file with a number for each particle")
         .type_name("NAME");
     app.add_list("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)");
     app.add_list("--gauss", options.gauss,

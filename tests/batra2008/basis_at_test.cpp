@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "particles/spacing.hpp"
 #include "tests/batra2008/bases.hpp"
 #include "tests/relative.hpp"
 
@@ -23,6 +22,25 @@ std::string refusal(const Work& work) {
     return "";
 }
 
+/// The particle nearest to a place.
+Eigen::Index nearest(const Eigen::MatrixXd& x, const Eigen::VectorXd& place) {
+    Eigen::Index particle = 0;
+    (x.colwise() - place).colwise().norm().minCoeff(&particle);
+    return particle;
+}
+
+/// Smoothing lengths as --smoothing-from says them: a number, or "6-nearest".
+Eigen::ArrayXd lengths(const Eigen::MatrixXd& x, const std::string& which) {
+    const std::size_t k = which.find("-nearest") == std::string::npos ? 0 : std::stoul(which);
+    Eigen::ArrayXd h(x.cols());
+    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+        Eigen::VectorXd distance = (x.colwise() - x.col(j)).colwise().norm();
+        std::sort(distance.begin(), distance.end());
+        h[j] = k == 0 ? std::stod(which) : distance[static_cast<Eigen::Index>(k)];
+    }
+    return h;
+}
+
 }  // namespace
 
 TEST_CASE("basis_at: too few particles are refused with place and numbers, and the remedy works") {
@@ -30,9 +48,9 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
     const Point<2> at_side(0, 0.5);
     CHECK(
         refusal([&] { support::bases(2, grid, 1.2, at_side, 0.25); }) ==
-        "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; try --scaling 2.1 or --smoothing-from 6-nearest");  // six particles in two columns, within 1.5h, do not suffice
+        "ssph_basis: at (0, 0.5) there are 4 particles within 1.2h = 0.3 for the 6 monomials of degree 2; try --scaling 2.1 or --smoothing-from 0.562");  // six particles in two columns, within 1.5h, do not suffice
     CHECK_NOTHROW(support::bases(2, grid, 2.1, at_side, 0.25));
-    CHECK_NOTHROW(support::bases(2, grid, 1.2, at_side, std::sqrt(0.25)));  // the sixth nearest
+    CHECK_NOTHROW(support::bases(2, grid, 1.2, at_side, 0.562));
     int refused = 0;
     support::for_each_dimension_and_degree([&](int dim, int m) {
         const support::Irregular irregular(dim);
@@ -43,16 +61,13 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
                 CAPTURE(why);
                 ++refused;
                 const std::size_t remedy = why.find("; try --scaling "),
-                                  from_nearest = why.find(" or --smoothing-from ");
-                if (from_nearest != std::string::npos) {
-                    const auto k = static_cast<std::size_t>(std::stoi(why.substr(from_nearest + 21)));
-                    std::vector<double> distance;
-                    Eigen::Index particle = 0;
-                    (irregular.x.colwise() - x).colwise().norm().minCoeff(&particle);
-                    for (const auto& other : irregular.x.colwise())
-                        distance.push_back((other - irregular.x.col(particle)).norm());
-                    std::sort(distance.begin(), distance.end());
-                    CHECK_NOTHROW(support::bases(m, irregular.x, rho, x, distance[k]));
+                                  larger_h = why.find(" or --smoothing-from ");
+                if (larger_h != std::string::npos) {
+                    const std::string which = why.substr(larger_h + 20);
+                    const Eigen::ArrayXd h = lengths(irregular.x, which);
+                    CHECK_NOTHROW(support::bases(m, irregular.x, rho, x, h[nearest(irregular.x, x)]));
+                    for (Eigen::Index j = 0; j < irregular.x.cols(); ++j)
+                        CHECK_NOTHROW(support::bases(m, irregular.x, rho, irregular.x.col(j), h[j]));
                 }
                 REQUIRE(remedy != std::string::npos);
                 const double scaling = std::stod(why.substr(remedy + 16));
@@ -68,10 +83,8 @@ TEST_CASE("basis_at: of two particles that lie close together both are named") {
     x << support::grid_points<2>(5), Point<2>(0.5, 0.5009765625);
     CHECK(
         refusal([&] { support::bases(2, x, 3, Point<2>(0.5, 0.5), 1.0 / 1024); }) ==
-        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out, or try --smoothing-from 6-nearest");
-    const Cloud<2> cloud(x);
-    CHECK_NOTHROW(support::bases(2, x, 3, Point<2>(0.5, 0.5),
-                                 particles::spacing(cloud, particles::Spacing::to_nearest(6))[12]));
+        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out, or try --smoothing-from 0.562");
+    CHECK_NOTHROW(support::bases(2, x, 3, Point<2>(0.5, 0.5), 0.562));
 }
 
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {

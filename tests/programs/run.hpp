@@ -35,9 +35,9 @@ inline Outcome run(const std::string& command) {
 
 /// Checks a failure: this exit code, no output, and one line on standard error that begins with the program's
 /// name.
-/// \param prefix shell text before the command
-inline void check_refused(const std::string& command, int code, const std::string& reason,
-                          const std::string& prefix = "") {
+/// \param prefix shell text before the command \return that line
+inline std::string check_refused(const std::string& command, int code, const std::string& reason,
+                                 const std::string& prefix = "") {
     CAPTURE(command);
     const Outcome outcome = run(prefix + command);
     const std::string& errors = outcome.errors;
@@ -47,6 +47,7 @@ inline void check_refused(const std::string& command, int code, const std::strin
     CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
     CHECK(errors.starts_with(command.substr(0, command.find(' ')) + ": "));
     CHECK(errors.find(reason) != std::string::npos);
+    return errors.substr(0, errors.find('\n'));
 }
 
 }  // namespace programs
