@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "asprone2010/section_3_3_rkpm.hpp"
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "asprone2010/section_5_3_vibration_test.hpp"

@@ -142,5 +142,9 @@ Stencil<Scalar> near_end(const Formulation<Scalar>& formulation, const numerical
     return row<Scalar>(derivative == 1 ? D : D2, line, line.size() - 1 - from_end, spacing, derivative);
 }
 
+// Compiled once: see formulations.hpp.
+extern template Stencil<double> near_end(const Formulation<double>&, const numerical_tests::Discretisation&,
+                                         Index, int, const double&);
+
 }  // namespace limit_stencils
 }  // namespace asprone2010

@@ -69,5 +69,12 @@ Errors<Scalar> errors(const Formulation<Scalar>& formulation,
     return largest;
 }
 
+// Compiled once: see formulations.hpp.
+extern template Errors<double> errors(const Formulation<double>&, const numerical_tests::Particles<double>&,
+                                      const Smooth<double>&);
+extern template Errors<long double> errors(const Formulation<long double>&,
+                                           const numerical_tests::Particles<long double>&,
+                                           const Smooth<long double>&);
+
 }  // namespace derivative_test
 }  // namespace asprone2010

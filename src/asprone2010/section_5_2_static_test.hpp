@@ -120,6 +120,13 @@ Scalar error(const Formulation<Scalar>& formulation, const Formulation<Scalar>& 
     return numerical_tests::distance<Scalar>(u, discrete.line.x().unaryExpr(exact.f));
 }
 
+// Compiled once: see formulations.hpp.
+extern template double error(const Formulation<double>&, const Formulation<double>&,
+                             const numerical_tests::Particles<double>&, const Smooth<double>&, int);
+extern template long double error(const Formulation<long double>&, const Formulation<long double>&,
+                                  const numerical_tests::Particles<long double>&, const Smooth<long double>&,
+                                  int);
+
 /// The same with the formulation's own derivative at the last particle, our choice.
 template <class Scalar>
 Scalar error(const Formulation<Scalar>& formulation, const numerical_tests::Particles<Scalar>& discrete,

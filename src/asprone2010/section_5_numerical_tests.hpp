@@ -64,6 +64,12 @@ Particles<Scalar> discretise(const Discretisation& how, Index N, unsigned long s
     return discretise(how, x);
 }
 
+// Compiled once: see formulations.hpp.
+extern template Particles<double> discretise(const Discretisation&, const Column<double>&);
+extern template Particles<double> discretise(const Discretisation&, Index, unsigned long);
+extern template Particles<long double> discretise(const Discretisation&, const Column<long double>&);
+extern template Particles<long double> discretise(const Discretisation&, Index, unsigned long);
+
 /// \f$\max_j |a_j - b_j|\f$, the norm in which the displacement's error is measured.
 template <class Scalar>
 Scalar distance(const Column<Scalar>& a, const Column<Scalar>& b) {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "asprone2010/formulations_quad.hpp"
+#include "asprone2010/in_quad.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 
 namespace command_line {

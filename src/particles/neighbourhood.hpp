@@ -117,6 +117,10 @@ Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Sc
     return near_i;
 }
 
+// Compiled once: neighbourhood.cpp.
+extern template Neighbourhood<double> neighbourhood(const Line<double>&, const Smoothing<double>&, Index,
+                                                    const Range&);
+
 template <class Scalar>
 Neighbourhood<Scalar> neighbourhood(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing, Index i) {
     return neighbourhood(line, smoothing, i, within_reach(line, smoothing, i));
@@ -139,6 +143,13 @@ Neighbourhood<double, dim> neighbourhood(const Cloud<dim>& cloud, const AnyKerne
     evaluate(kernel, near_x.r, near_x.W, near_x.DW);
     return near_x;
 }
+
+extern template Neighbourhood<double, 1> neighbourhood(const Cloud<1>&, const Kernel<1>&, const Point<1>&,
+                                                       double, const std::vector<int>&);
+extern template Neighbourhood<double, 2> neighbourhood(const Cloud<2>&, const Kernel<2>&, const Point<2>&,
+                                                       double, const std::vector<int>&);
+extern template Neighbourhood<double, 3> neighbourhood(const Cloud<3>&, const Kernel<3>&, const Point<3>&,
+                                                       double, const std::vector<int>&);
 
 /// The neighbourhood of particle i of a cloud.
 template <int dim>
@@ -202,27 +213,7 @@ std::vector<int> in_support(const Cloud<dim>& cloud, const Kernel<dim>& kernel, 
 /// entries: for particles that a lane does not reach, W = DW = V = 0.
 /// \param left, right numbers of entries on either side of the lane's own particle; these particles must
 ///        exist
-inline Neighbourhood<Pack> neighbourhoods(const Line<double>& line, const Smoothing<double>& smoothing,
-                                          Index i, Index left, Index right) {
-    const Index size = left + 1 + right;
-    const double *const x = line.x().data() + i, *const V = line.V().data() + i;
-    const Pack per_h = 1 / smoothing.pack_of_h(i), reach = smoothing.pack_of_reaches(i);
-    const Pack x_i = Pack::from(x), least = x_i - reach, most = x_i + reach;
-    Neighbourhood<Pack> all{Column<Pack>(size), Column<Pack>(size), Column<Pack>(size), Column<Pack>(size)};
-    std::visit(
-        [&](const auto& kernel) {
-            for (Index k = 0; k < size; ++k) {
-                const Pack x_j = Pack::from(x + k - left), V_j = Pack::from(V + k - left);
-                const Pack r = (x_j - x_i) * per_h, W = kernel.W(r);
-                const auto reached = (x_j > least) & (x_j < most);
-                all.r[k] = r;
-                all.W[k] = chosen(reached, W, Pack(0));
-                all.DW[k] = chosen(reached, detail::derivative(kernel, r, W), Pack(0));
-                all.V[k] = chosen(reached, V_j * per_h, Pack(0));
-            }
-        },
-        smoothing.kernel());
-    return all;
-}
+Neighbourhood<Pack> neighbourhoods(const Line<double>& line, const Smoothing<double>& smoothing, Index i,
+                                   Index left, Index right);
 
 }  // namespace particles

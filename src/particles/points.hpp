@@ -17,10 +17,14 @@ using base::shown;
 /// Largest number of neighbours of a Pack, whose columns lie on the stack.
 inline constexpr int most_in_pack = 64;
 
+/// Largest number of neighbours that is known when compiling. It has a name, since Eigen::Dynamic in a signature would
+/// make a function local to each file.
+template <class Scalar>
+inline constexpr int most_neighbours = std::is_same_v<Scalar, Pack> ? most_in_pack : Eigen::Dynamic;
+
 /// Offsets, or other vectors, of particles or neighbours: a row for each, a column for each coordinate.
 template <class Scalar, int dim = 1>
-using Offsets = Eigen::Array<Scalar, Eigen::Dynamic, dim, 0,
-                             std::is_same_v<Scalar, Pack> ? most_in_pack : Eigen::Dynamic, dim>;
+using Offsets = Eigen::Array<Scalar, Eigen::Dynamic, dim, 0, most_neighbours<Scalar>, dim>;
 
 /// One number per particle, or per neighbour.
 template <class Scalar>

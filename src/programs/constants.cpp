@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "asprone2010/in_quad.hpp"
 #include "asprone2010/leading_error.hpp"
 #include "asprone2010/round_off.hpp"
 #include "command_line/formulations.hpp"

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "asprone2010/in_quad.hpp"
 #include "asprone2010/round_off.hpp"
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "base/text.hpp"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "asprone2010/in_quad.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
 #include "expressions/parser.hpp"

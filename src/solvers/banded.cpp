@@ -51,45 +51,49 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Sca
 
 }  // namespace
 
-/// Eigen's sparse factorisation of the scaled matrix.
+/// Eigen's sparse factorisation of the scaled matrix, in quadruple precision.
 template <class Scalar>
 struct BandedFactors<Scalar>::Library {
-    using Columns = typename SparseLU<Scalar>::Matrix;
-    using Numbers = typename SparseLU<Scalar>::Vector;
+    using Quad = base::Quad;
+    using Columns = SparseLU::Matrix;
+    using Numbers = SparseLU::Vector;
 
     Eigen::Index N;
-    Scalar norm = Scalar(0);
-    SparseLU<Scalar> factors;
+    Quad norm = Quad(0);
+    SparseLU factors;
 
-    Library(const Matrix& A, const Vector& scale) : Library(Columns(scale.matrix().asDiagonal() * A)) {}
+    Library(const Matrix& A, const Vector& scale)
+        : Library(Columns(Matrix(scale.matrix().asDiagonal() * A).template cast<Quad>())) {}
     explicit Library(const Columns& scaled) : N(scaled.rows()), factors(scaled) {
         for (Eigen::Index j = 0; j < scaled.cols(); ++j)
-            norm = std::max<Scalar>(norm, scaled.col(j).cwiseAbs().sum());
+            norm = std::max<Quad>(norm, scaled.col(j).cwiseAbs().sum());
         if (!factors.succeeded()) refuse(N, 0);
     }
 
-    [[nodiscard]] Vector solve(const Vector& b) const { return factors.solve(b.matrix()).array(); }
+    [[nodiscard]] Vector solve(const Vector& b) const {
+        return factors.solve(b.template cast<Quad>().matrix()).array().template cast<Scalar>();
+    }
 
     /// Hager's estimate of ‖A⁻¹‖ in the 1-norm, with Higham's alternating vector beside it, as in LAPACK's
     /// dlacn2.
-    [[nodiscard]] Scalar norm_of_inverse() {
-        Numbers x = Numbers::Constant(N, 1 / Scalar(static_cast<double>(N)));
-        Scalar estimate(0);
+    [[nodiscard]] Quad norm_of_inverse() {
+        Numbers x = Numbers::Constant(N, 1 / Quad(static_cast<double>(N)));
+        Quad estimate(0);
         for (int k = 0; k < 5; ++k) {
             const Numbers y = factors.solve(x);
-            if (!y.allFinite()) return std::numeric_limits<Scalar>::infinity();
-            estimate = std::max<Scalar>(estimate, y.cwiseAbs().sum());
-            const Numbers signs = y.unaryExpr([](const Scalar& entry) { return Scalar(entry < 0 ? -1 : 1); });
+            if (!y.allFinite()) return std::numeric_limits<Quad>::infinity();
+            estimate = std::max<Quad>(estimate, y.cwiseAbs().sum());
+            const Numbers signs = y.unaryExpr([](const Quad& entry) { return Quad(entry < 0 ? -1 : 1); });
             const Numbers z = factors.solve_transposed(signs);
             Eigen::Index j = 0;
             if (z.cwiseAbs().maxCoeff(&j) <= z.dot(x)) break;
             x = Numbers::Unit(N, j);
         }
         for (Eigen::Index i = 0; i < N; ++i)
-            x[i] = (i % 2 == 0 ? 1 : -1) *
-                   (1 + Scalar(static_cast<double>(i)) / std::max<Eigen::Index>(N - 1, 1));
+            x[i] =
+                (i % 2 == 0 ? 1 : -1) * (1 + Quad(static_cast<double>(i)) / std::max<Eigen::Index>(N - 1, 1));
         const Numbers y = factors.solve(x);
-        return std::max<Scalar>(estimate, 2 * y.cwiseAbs().sum() / Scalar(static_cast<double>(3 * N)));
+        return std::max<Quad>(estimate, 2 * y.cwiseAbs().sum() / Quad(static_cast<double>(3 * N)));
     }
 };
 
@@ -170,7 +174,7 @@ typename BandedFactors<Scalar>::Vector BandedFactors<Scalar>::solve(const Vector
 
 template <class Scalar>
 Scalar BandedFactors<Scalar>::reciprocal_condition() const {
-    return 1 / (library_->norm * library_->norm_of_inverse());
+    return static_cast<Scalar>(1 / (library_->norm * library_->norm_of_inverse()));
 }
 
 template <class Scalar>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "asprone2010/formulations_quad.hpp"
+#include "asprone2010/in_quad.hpp"
 #include "tests/asprone2010/stencils.hpp"
 
 using namespace asprone2010;

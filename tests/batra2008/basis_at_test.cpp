@@ -22,25 +22,6 @@ std::string refusal(const Work& work) {
     return "";
 }
 
-/// The particle nearest to a place.
-Eigen::Index nearest(const Eigen::MatrixXd& x, const Eigen::VectorXd& place) {
-    Eigen::Index particle = 0;
-    (x.colwise() - place).colwise().norm().minCoeff(&particle);
-    return particle;
-}
-
-/// Smoothing lengths as --smoothing-from says them: a number, or "6-nearest".
-Eigen::ArrayXd lengths(const Eigen::MatrixXd& x, const std::string& which) {
-    const std::size_t k = which.find("-nearest") == std::string::npos ? 0 : std::stoul(which);
-    Eigen::ArrayXd h(x.cols());
-    for (Eigen::Index j = 0; j < x.cols(); ++j) {
-        Eigen::VectorXd distance = (x.colwise() - x.col(j)).colwise().norm();
-        std::sort(distance.begin(), distance.end());
-        h[j] = k == 0 ? std::stod(which) : distance[static_cast<Eigen::Index>(k)];
-    }
-    return h;
-}
-
 }  // namespace
 
 TEST_CASE("basis_at: too few particles are refused with place and numbers, and the remedy works") {
@@ -63,11 +44,10 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
                 const std::size_t remedy = why.find("; try --scaling "),
                                   larger_h = why.find(" or --smoothing-from ");
                 if (larger_h != std::string::npos) {
-                    const std::string which = why.substr(larger_h + 20);
-                    const Eigen::ArrayXd h = lengths(irregular.x, which);
-                    CHECK_NOTHROW(support::bases(m, irregular.x, rho, x, h[nearest(irregular.x, x)]));
-                    for (Eigen::Index j = 0; j < irregular.x.cols(); ++j)
-                        CHECK_NOTHROW(support::bases(m, irregular.x, rho, irregular.x.col(j), h[j]));
+                    const double h = std::stod(why.substr(larger_h + 20));
+                    CHECK_NOTHROW(support::bases(m, irregular.x, rho, x, h));
+                    for (const auto& particle : irregular.x.colwise())
+                        CHECK_NOTHROW(support::bases(m, irregular.x, rho, particle, h));
                 }
                 REQUIRE(remedy != std::string::npos);
                 const double scaling = std::stod(why.substr(remedy + 16));
@@ -83,8 +63,7 @@ TEST_CASE("basis_at: of two particles that lie close together both are named") {
     x << support::grid_points<2>(5), Point<2>(0.5, 0.5009765625);
     CHECK(
         refusal([&] { support::bases(2, x, 3, Point<2>(0.5, 0.5), 1.0 / 1024); }) ==
-        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out, or try --smoothing-from 0.562");
-    CHECK_NOTHROW(support::bases(2, x, 3, Point<2>(0.5, 0.5), 0.562));
+        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out");
 }
 
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {

@@ -1,0 +1,37 @@
+#include "particles/neighbourhood.hpp"
+
+namespace particles {
+
+Neighbourhood<Pack> neighbourhoods(const Line<double>& line, const Smoothing<double>& smoothing, Index i,
+                                   Index left, Index right) {
+    const Index size = left + 1 + right;
+    const double *const x = line.x().data() + i, *const V = line.V().data() + i;
+    const Pack per_h = 1 / smoothing.pack_of_h(i), reach = smoothing.pack_of_reaches(i);
+    const Pack x_i = Pack::from(x), least = x_i - reach, most = x_i + reach;
+    Neighbourhood<Pack> all{Column<Pack>(size), Column<Pack>(size), Column<Pack>(size), Column<Pack>(size)};
+    std::visit(
+        [&](const auto& kernel) {
+            for (Index k = 0; k < size; ++k) {
+                const Pack x_j = Pack::from(x + k - left), V_j = Pack::from(V + k - left);
+                const Pack r = (x_j - x_i) * per_h, W = kernel.W(r);
+                const auto reached = (x_j > least) & (x_j < most);
+                all.r[k] = r;
+                all.W[k] = chosen(reached, W, Pack(0));
+                all.DW[k] = chosen(reached, detail::derivative(kernel, r, W), Pack(0));
+                all.V[k] = chosen(reached, V_j * per_h, Pack(0));
+            }
+        },
+        smoothing.kernel());
+    return all;
+}
+
+template Neighbourhood<double> neighbourhood(const Line<double>&, const Smoothing<double>&, Index,
+                                             const Range&);
+template Neighbourhood<double, 1> neighbourhood(const Cloud<1>&, const Kernel<1>&, const Point<1>&, double,
+                                                const std::vector<int>&);
+template Neighbourhood<double, 2> neighbourhood(const Cloud<2>&, const Kernel<2>&, const Point<2>&, double,
+                                                const std::vector<int>&);
+template Neighbourhood<double, 3> neighbourhood(const Cloud<3>&, const Kernel<3>&, const Point<3>&, double,
+                                                const std::vector<int>&);
+
+}  // namespace particles

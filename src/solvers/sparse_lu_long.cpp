@@ -1,7 +1,0 @@
-#include "solvers/sparse_lu.hpp"
-
-namespace solvers {
-
-template class SparseLU<long double>;
-
-}  // namespace solvers
