@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <vector>
 
+#include "asprone2010/section_4_second_order_fpm.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "base/text.hpp"
 

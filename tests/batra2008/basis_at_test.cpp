@@ -63,7 +63,7 @@ TEST_CASE("basis_at: of two particles that lie close together both are named") {
     x << support::grid_points<2>(5), Point<2>(0.5, 0.5009765625);
     CHECK(
         refusal([&] { support::bases(2, x, 3, Point<2>(0.5, 0.5), 1.0 / 1024); }) ==
-        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out");
+        "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out, or try --smoothing-from 0.562");
 }
 
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {

@@ -2,6 +2,8 @@
 
 #include <omp.h>
 
+#include "asprone2010/section_3_2_chen_beraun.hpp"
+#include "asprone2010/section_4_second_order_fpm.hpp"
 #include "tests/same_bytes.hpp"
 #include "tests/support.hpp"
 
