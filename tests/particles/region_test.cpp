@@ -11,6 +11,10 @@ using namespace particles;
 
 namespace {
 
+Point<2> direction(double angle) {
+    return {std::cos(angle), std::sin(angle)};
+}
+
 const double pi = std::acos(-1.0);
 const double reach = 0.8;
 
@@ -176,7 +180,7 @@ TEST_CASE(
         CAPTURE(apart);
         const double exact = pi * reach * reach - lens(reach, b, away);
         for (const double angle : {0.0, 0.7, 2.0, -1.0})
-            check_converges(region, away * detail::direction(angle), reach, exact, final);
+            check_converges(region, away * direction(angle), reach, exact, final);
     }
 }
 
@@ -185,7 +189,7 @@ TEST_CASE("region: a disc around a place on the hole") {
         CAPTURE(b);
         const double exact = pi * reach * reach - lens(reach, b, b);
         for (const double angle : {0.0, 0.4, pi / 2, -3.0})
-            check_converges(with_hole(b), b * detail::direction(angle), reach, exact, 1e-9);
+            check_converges(with_hole(b), b * direction(angle), reach, exact, 1e-9);
     }
 }
 
@@ -274,7 +278,7 @@ TEST_CASE("region: the boundary in a disc has the lengths of chords and arcs") {
 
     const Curve arc = Arc{{1, 2}, 0.5, 0, pi / 2};
     const auto around = [](double r, double angle) -> Point<2> {
-        return Point<2>(1, 2) + r * detail::direction(angle);
+        return Point<2>(1, 2) + r * direction(angle);
     };
     const double radius = 0.3, half = 2 * std::asin(radius / 2 / 0.5);  // a chord of the length of the radius
     CHECK(length(arc, around(0.5, 0.8), radius, 4) == support::relative(0.5 * 2 * half, 1e-13));
@@ -378,14 +382,14 @@ TEST_CASE("region: a place lies on a curve between its ends, both included") {
         CHECK(!lies_on(side, off, 5));
     for (const double angle : {0.0, 0.1, 1.0, pi / 2, pi / 2 - 1e-12, -1e-12}) {
         CAPTURE(angle);
-        CHECK(lies_on(arc, 0.4 * detail::direction(angle), 1));
-        CHECK(!lies_on(arc, 0.41 * detail::direction(angle), 1));
+        CHECK(lies_on(arc, 0.4 * direction(angle), 1));
+        CHECK(!lies_on(arc, 0.41 * direction(angle), 1));
     }
     for (const double angle : {-0.1, pi / 2 + 0.1, pi, -pi / 2})
-        CHECK(!lies_on(arc, 0.4 * detail::direction(angle), 1));
+        CHECK(!lies_on(arc, 0.4 * direction(angle), 1));
     const Curve third_quadrant = Arc{{0, 0}, 1, pi, 3 * pi / 2};
-    CHECK(lies_on(third_quadrant, detail::direction(-2), 1));
-    CHECK(!lies_on(third_quadrant, detail::direction(2), 1));
+    CHECK(lies_on(third_quadrant, direction(-2), 1));
+    CHECK(!lies_on(third_quadrant, direction(2), 1));
 }
 
 TEST_CASE("region: normals point out of the region, of a hole towards its centre") {
