@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -58,20 +59,25 @@ std::string close_pair(const particles::Cloud<dim>& cloud, int particle) {
            "; leave one of them out";
 }
 
-/// Whether the monomials are determined with a smoothing length at a place and at the particles of a cloud, or at ten
-/// thousand of them.
+/// Whether the monomials are determined with one smoothing length at a place and at some particles.
 template <int m, int dim>
-bool determined_everywhere(const particles::Cloud<dim>& cloud, double rho, double h,
-                           const Point<dim>& place) {
+bool determined_at(const particles::Cloud<dim>& cloud, double rho, double h, const Point<dim>& place,
+                   const std::vector<Index>& some) {
     const particles::TruncatedGaussian<dim> kernel(rho);
-    const auto determined_at = [&](const Point<dim>& x) {
+    const auto determined_there = [&](const Point<dim>& x) {
         return determined<m>(cloud, kernel, x, h, cloud.around(x, rho * h));
     };
-    if (!determined_at(place)) return false;
-    const Index step = 1 + cloud.size() / 10000;
-    for (Index j = 0; j < cloud.size(); j += step)
-        if (!determined_at(cloud.x().col(j))) return false;
-    return true;
+    return determined_there(place) &&
+           std::all_of(some.begin(), some.end(), [&](Index j) { return determined_there(cloud.x().col(j)); });
+}
+
+/// The particles whose neighbours are the farthest, at most a thousand.
+std::vector<Index> loneliest(const Column<double>& distance) {
+    std::vector<Index> all(static_cast<std::size_t>(distance.size()));
+    std::iota(all.begin(), all.end(), 0);
+    std::sort(all.begin(), all.end(), [&](Index j, Index k) { return distance[j] > distance[k]; });
+    all.resize(std::min<std::size_t>(all.size(), 1000));
+    return all;
 }
 
 /// "--smoothing-from 0.053": one length for the whole cloud, with which each particle has as many neighbours as there
@@ -84,9 +90,11 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, double rho, con
     const Column<double> to_nth = particles::spacing(cloud, particles::Spacing::to_nearest(n));
     const double least = to_nth.maxCoeff();
     if (least > graded * to_nth.minCoeff()) return "";
+    const std::vector<Index> hardest = loneliest(to_nth);
     for (double h = least; h < 2 * least; h *= 1.1) {
         const std::string shown = base::shown(1.005 * h, 3);  // rounded, but not down
-        if (determined_everywhere<m>(cloud, rho, std::stod(shown), place)) return "--smoothing-from " + shown;
+        if (determined_at<m>(cloud, rho, std::stod(shown), place, hardest))
+            return "--smoothing-from " + shown;
     }
     return "";
 }

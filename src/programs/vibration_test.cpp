@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
         "Section 5.3 of Asprone et al. (2010): natural frequencies of an elastic rod that is fixed at both ends.",
         "vibration_test",
         "Example: vibration_test --formulation second_order_fpm,fem_lumped --particles 50\n"
-        "Another: vibration_test --formulation second_order_fpm --particles 1000000 --lowest 10\n"
+        "Another: vibration_test --formulation second_order_fpm --particles 100000 --lowest 10\n"
         "A third: vibration_test --particles 50 --perturb 0.2 --smoothing-from largest");
     Options options;
     options.particles = {100};

@@ -46,8 +46,8 @@ TEST_CASE("basis_at: too few particles are refused with place and numbers, and t
                 if (larger_h != std::string::npos) {
                     const double h = std::stod(why.substr(larger_h + 20));
                     CHECK_NOTHROW(support::bases(m, irregular.x, rho, x, h));
-                    for (const auto& particle : irregular.x.colwise())
-                        CHECK_NOTHROW(support::bases(m, irregular.x, rho, particle, h));
+                    for (Eigen::Index j = refused % 16; j < irregular.x.cols(); j += 16)
+                        CHECK_NOTHROW(support::bases(m, irregular.x, rho, irregular.x.col(j), h));
                 }
                 REQUIRE(remedy != std::string::npos);
                 const double scaling = std::stod(why.substr(remedy + 16));

@@ -76,7 +76,7 @@ TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output")
 TEST_CASE(
     "plate: cells of 3:1 and 5:1 have too few neighbours within the nearest distances; the remedy solves them") {
     for (const std::string grid : {"21x13", "31x31"}) {
-        const std::string command = "plate --method weak1,weak2 --particles " + grid;
+        const std::string command = "plate --method weak1 --particles " + grid;
         const std::string why = programs::check_refused(command, 1, "; try --smoothing-from 0.");
         const std::string remedy = why.substr(why.find("--smoothing-from"));
         const auto table = report::parsed(programs::run(command + " " + remedy).output);
