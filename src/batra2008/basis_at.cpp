@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "particles/close_pair.hpp"
 #include "particles/spacing.hpp"
 
 namespace batra2008::ssph_basis {
@@ -43,20 +44,6 @@ bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGa
     } catch (const particles::SingularNeighbourhood&) {
         return false;
     }
-}
-
-/// "particles 3 and 7 lie 0.001 apart, …", where a particle's nearest neighbour is ten times as near as its second
-/// nearest; else empty.
-template <int dim>
-std::string close_pair(const particles::Cloud<dim>& cloud, int particle) {
-    if (cloud.size() < 3) return "";
-    const Point<dim> x = cloud.x().col(particle);
-    const double apart = cloud.apart()[particle], second = std::sqrt(cloud.cells().nearest(x, 3).back());
-    if (second < 10 * apart) return "";
-    std::vector<int> pair = cloud.within(x, 2 * apart);
-    return "particles " + std::to_string(pair.front()) + " and " + std::to_string(pair.back()) + " lie " +
-           base::shown(apart, 3) + " apart, the next one " + base::shown(second, 3) +
-           "; leave one of them out";
 }
 
 /// Whether the monomials are determined with one smoothing length at a place and at some particles.
@@ -105,7 +92,7 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
     constexpr Index n = terms<dim, m>;
     if (cloud.size() < n) return "take at least " + std::to_string(n) + " particles";
     const std::string larger_h = smoothing_remedy<m>(cloud, rho, x);
-    if (const std::string pair = close_pair(cloud, cloud.nearest(x)); !pair.empty())
+    if (const std::string pair = particles::close_pair(cloud, cloud.nearest(x)); !pair.empty())
         return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
     Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
     std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
