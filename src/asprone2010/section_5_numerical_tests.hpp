@@ -50,8 +50,8 @@ Particles<Scalar> discretise(const Discretisation& how, const Column<Scalar>& x)
         throw base::InvalidInput("the smoothing length over the spacing must be positive and finite, got " +
                                  base::shown(how.smoothing));
     const Line<Scalar> line = particles::line_at<Scalar>(x, how.volumes);
-    const Column<Scalar> h = Scalar(how.smoothing) * particles::spacing(line, how.smoothing_from);
-    return {line, particles::Smoothing<Scalar>(how.kernel, h)};
+    const Column<Scalar> spacing = particles::spacing(line, how.smoothing_from);
+    return {line, particles::Smoothing<Scalar>(how.kernel, spacing, Scalar(how.smoothing))};
 }
 
 /// The N particles of a discretisation; the seed matters where they are perturbed.

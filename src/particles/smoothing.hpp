@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
+#include <concepts>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "base/errors.hpp"
@@ -28,9 +30,10 @@ class Smoothing {
         : Smoothing(kernel, Column<Scalar>::Constant(1, h)) {}
 
     /// \param h of each particle
-    /// \throws InvalidInput unless each h is positive and finite
+    /// \throws InvalidInput unless there is one at least, and each is positive and finite
     Smoothing(const Kernel<dim>& kernel, Column<Scalar> h) : kernel_(kernel), h_(std::move(h)) {
         using std::isfinite;
+        if (h_.size() == 0) throw InvalidInput("there is no smoothing length");
         for (const Scalar& each : h_)
             if (!(isfinite(each) && each > 0))
                 throw InvalidInput("the smoothing length must be positive and finite, got " +
@@ -38,8 +41,30 @@ class Smoothing {
         largest_ = h_.maxCoeff();
         reach_per_h_ = particles::reach<Scalar>(kernel_);
     }
+
+    /// A ratio h/δ and spacings δ: \f$h = (h/\delta)\,\delta\f$. Messages then speak of the ratio.
+    Smoothing(const Kernel<dim>& kernel, const Column<Scalar>& spacing, const Scalar& ratio)
+        : Smoothing(kernel, Column<Scalar>(ratio * spacing)) {
+        ratio_ = static_cast<double>(ratio);
+    }
+
+    /// The same kernel with smoothing lengths that are so many times as large.
+    [[nodiscard]] Smoothing times(double factor) const {
+        Smoothing other(kernel_, Column<Scalar>(Scalar(factor) * h_));
+        if (ratio_) other.ratio_ = factor * *ratio_;
+        return other;
+    }
+
     [[nodiscard]] const Kernel<dim>& kernel() const { return kernel_; }
     [[nodiscard]] bool is_local() const { return h_.size() > 1; }
+    /// h/δ, where h was given so.
+    [[nodiscard]] const std::optional<double>& ratio() const { return ratio_; }
+    /// \throws InvalidInput unless there is one smoothing length, or one for each of N particles
+    void require_lengths_of(Index N) const {
+        if (is_local() && h_.size() != N)
+            throw InvalidInput(std::to_string(N) + " particles need as many smoothing lengths, or one, got " +
+                               std::to_string(h_.size()));
+    }
 
     /// The smoothing length; the largest, where each particle has its own.
     [[nodiscard]] const Scalar& h() const { return largest_; }
@@ -59,6 +84,14 @@ class Smoothing {
     Kernel<dim> kernel_;
     Column<Scalar> h_;
     Scalar largest_, reach_per_h_;
+    std::optional<double> ratio_;
 };
+
+// Smoothing smoothing(Gaussian<2>{}, h) has the dimension of its kernel and the scalar of its h.
+template <template <int> class AnyKernel, int dim, std::floating_point Scalar>
+Smoothing(const AnyKernel<dim>&, Scalar) -> Smoothing<Scalar, dim>;
+template <template <int> class AnyKernel, int dim, class Lengths>
+Smoothing(const AnyKernel<dim>&, const Eigen::ArrayBase<Lengths>&)
+    -> Smoothing<typename Lengths::Scalar, dim>;
 
 }  // namespace particles
