@@ -447,6 +447,7 @@ Column<Scalar> derivative(const Basis<dim, m, Scalar>& basis, const std::type_id
 /// \return weights on \f$f(\xi_j) - f(x)\f$ in units of 1/h and 1/h²
 template <int m, int dim, class Scalar>
 particles::Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>& near) {
+    static_assert(m >= 2, "second derivatives need monomials of degree 2 or 3");
     const Basis<dim, m, Scalar> basis(near, {}, Scalar(1));
     const auto count = near.W.size();
     particles::Derivatives<Scalar, dim> all{particles::Offsets<Scalar, dim>(count, dim),

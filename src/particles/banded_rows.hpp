@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -17,11 +18,19 @@
 
 namespace particles {
 
+using base::everywhere;
+using base::FailedComputation;
 using base::for_each_index;
 using base::Index;
 using base::InvalidInput;
 using base::Pack;
 using base::prefer_large_pages;
+
+/// A formulation has given weights that are infinite or no numbers.
+class WeightsNotFinite : public FailedComputation {
+  public:
+    WeightsNotFinite() : FailedComputation("its weights are not finite") {}
+};
 
 /// The fast way behind the operators: compressed rows of consecutive columns, written in place, a Pack of
 /// particles at a time.
@@ -79,6 +88,7 @@ void annihilate_constants(Scalar* row, Index size, Index own) {
 
 /// Writes a row: weights on differences, times their unit.
 /// \param near the particle's neighbours \param own its place among them
+/// \throws WeightsNotFinite as the diagonal entry shows, a sum of all others
 template <class Scalar, class Neighbours, class Weights>
 void set_row(Rows<Scalar>& D, Index row, const Neighbours& near, Index own, const Weights& weights,
              const Scalar& unit) {
@@ -88,16 +98,20 @@ void set_row(Rows<Scalar>& D, Index row, const Neighbours& near, Index own, cons
     Scalar* const values = begin_row(D, row, near);
     Eigen::Map<Column<Scalar>>(values, weights.size()) = weights * unit;
     annihilate_constants(values, weights.size(), own);
+    using std::isfinite;
+    if (!isfinite(values[own])) throw WeightsNotFinite();
 }
 
 /// The same for those particles of a Pack that have a row. Weights of particles that a lane does not reach are
-/// skipped.
+/// skipped. Nothing is written where a row is not finite.
 /// \param i first particle of the Pack \param near neighbours of each of its particles
 /// \param rows particles that have a row
+/// \throws WeightsNotFinite for any lane
 inline void set_rows(Rows<double>& D, const Range& rows, Index i, const Range* near, Index own,
                      const Column<Pack>& weights, const Pack& unit) {
     Column<Pack> all = weights * unit;
     annihilate_constants(all.data(), all.size(), own);
+    if (!everywhere(abs(all[own]) < Pack(std::numeric_limits<double>::infinity()))) throw WeightsNotFinite();
     const Index first = std::max<Index>(rows.first - i, 0),
                 last = std::min<Index>(rows.last - i, Pack::lanes);
     for (auto lane = static_cast<int>(first); lane < last; ++lane) {

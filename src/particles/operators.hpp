@@ -76,8 +76,12 @@ const Operator<Scalar>& derivative(const Operators<Scalar, dim>& all,
 
 /// The operator applied through differences, \f$DB(x_i) = \sum_j D_{ij}\,[B(x_j) - B(x_i)]\f$: exact on
 /// constants, and without round-off of the size of B.
+/// \throws InvalidInput unless B has a value for each column of D
 template <class Scalar>
 Column<Scalar> apply(const Operator<Scalar>& D, const Column<Scalar>& B) {
+    if (B.size() != D.cols())
+        throw InvalidInput("an operator on " + std::to_string(D.cols()) +
+                           " particles needs as many values, got " + std::to_string(B.size()));
     Column<Scalar> DB(D.rows());
     for_each_index(D.rows(), [&](Index i) {
         Scalar sum(0);
@@ -90,9 +94,13 @@ Column<Scalar> apply(const Operator<Scalar>& D, const Column<Scalar>& B) {
 
 /// Sets each diagonal entry to minus the sum of the row's others, \f$D_{ii} = -\sum_{j \ne i} D_{ij}\f$: the
 /// row then annihilates constants to the last bit, whatever the round-off of its weights.
-/// \throws InvalidInput for a row that stores no diagonal entry
+/// \throws InvalidInput for a range of rows, whose diagonal is not known, and for a row that stores no diagonal
+///         entry
 template <class Scalar>
 void annihilate_constants(Operator<Scalar>& D) {
+    if (D.rows() != D.cols())
+        throw InvalidInput("an operator with " + std::to_string(D.rows()) + " of " +
+                           std::to_string(D.cols()) + " rows does not say where its diagonal is");
     for_each_index(D.rows(), [&](Index i) {
         Scalar others(0);
         Scalar* own = nullptr;
@@ -196,18 +204,20 @@ Rule<Scalar> rule_of(const Function& function) {
 /// particles is computed at once where all its neighbourhoods lie on the line; the others, and those of a Pack
 /// that fails, one by one.
 /// \param rows particles that have a row; a rule that has D² from D needs all
-/// \throws FailedComputation where a neighbourhood is too small or singular, naming the formulation, the
-///         particle, its position, its neighbours and a remedy
+/// \throws InvalidInput unless there is one smoothing length, or one for each particle
+/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite, naming
+///         the formulation, the particle, its position, its neighbours and a remedy
 template <class Scalar>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                            const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
     detail::check_rows(rows, line.size());
+    smoothing.require_lengths_of(line.size());
     const bool gives_both = !rule.second;
     if (!gives_both && rows.size() < line.size())
         throw InvalidInput(std::string(required.formulation) +
                            ": a derivative of a derivative needs all rows");
     const std::vector<Range> near = all_within_reach(line, smoothing, banded::whole_packs(rows, line.size()));
-    require_neighbours(line, smoothing, near, required, rows);
+    require_neighbours(line, smoothing, near, required, rows, rule.weights);
     Operators<Scalar> all{banded::allocated<Scalar>(near, rows),
                           gives_both ? banded::allocated<Scalar>(near, rows) : Operator<Scalar>()};
 
@@ -219,11 +229,11 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
             const auto [first, second] = rule.weights(neighbourhood(line, smoothing, i, near_i));
             banded::set_row(all.D, row, near_i, own, first, per_h);
             if (gives_both) banded::set_row(all.D2, row, near_i, own, second, Scalar(per_h * per_h));
-        } catch (const SingularNeighbourhood& singular) {
+        } catch (const FailedComputation& failed) {
             throw FailedComputation(
                 neighbours_in_words(line, smoothing, i, near_i, required) + " (" + std::to_string(own) +
                 " on the left, " + std::to_string(near_i.last - 1 - i) + " on the right), but " +
-                singular.what() + "; take a larger --smoothing or particles that lie farther apart");
+                failed.what() + "; " + remedy(line, smoothing, i, required, rule.weights));
         }
     };
     const auto together = [&](Index i) {
@@ -240,7 +250,7 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
                 if (gives_both)
                     banded::set_rows(all.D2, rows, i, near_i, sides->left, second, Pack(per_h * per_h));
                 return true;
-            } catch (const SingularNeighbourhood&) {
+            } catch (const FailedComputation&) {
                 return false;
             }
         }
@@ -287,14 +297,19 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
 /// that `rule` gives for its neighbourhood, columns in increasing order.
 /// \param rule a pure function of a Neighbourhood, which returns Derivatives
 /// \param rows particles that have a row
-/// \throws FailedComputation where a neighbourhood is too small or singular, naming the formulation, the
-///         particle, its position, its neighbours and a remedy
+/// \throws InvalidInput unless there is one smoothing length, or one for each particle
+/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite, naming
+///         the formulation, the particle, its position, its neighbours and a remedy
 template <int dim, class Rule>
 Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
                                 const Requirement& required, const Rule& rule, const Range& rows) {
+    static_assert(std::is_same_v<std::invoke_result_t<Rule, const Neighbourhood<double, dim>&>,
+                                 Derivatives<double, dim>>,
+                  "a rule on a cloud returns Derivatives, the weights of the first and the second ones");
     detail::check_rows(rows, cloud.size());
+    smoothing.require_lengths_of(cloud.size());
     const std::vector<std::vector<int>> near = all_within_reach(cloud, smoothing, rows);
-    require_neighbours(cloud, smoothing, near, required, rows);
+    require_neighbours(cloud, smoothing, near, required, rows, rule);
     const auto allocated = [&] { return banded::allocated<double>(near, rows); };
     std::array<Operator<double>, dim + second_derivatives<dim>> all;
     for (Operator<double>& D : all) D = allocated();
@@ -306,16 +321,19 @@ Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double,
         const double per_h = 1 / smoothing.h(i);
         try {
             const Derivatives<double, dim> weights = rule(neighbourhood(cloud, smoothing, i, near_i));
+            if (weights.second.size() == 0)
+                throw InvalidInput(
+                    std::string(required.formulation) +
+                    " has given no weights of second derivatives, which a cloud's operators need");
             for (int axis = 0; axis < dim; ++axis)
                 banded::set_row(all[static_cast<std::size_t>(axis)], row, near_i, own,
                                 weights.first.col(axis), per_h);
             for (int pair = 0; pair < second_derivatives<dim>; ++pair)
                 banded::set_row(all[static_cast<std::size_t>(dim + pair)], row, near_i, own,
                                 weights.second.col(pair), per_h * per_h);
-        } catch (const SingularNeighbourhood& singular) {
+        } catch (const FailedComputation& failed) {
             throw FailedComputation(neighbours_in_words(cloud, smoothing, i, near_i, required) + ", but " +
-                                    singular.what() +
-                                    "; take a larger --smoothing or particles that lie farther apart");
+                                    failed.what() + "; " + remedy(cloud, smoothing, i, required, rule));
         }
     });
 

@@ -2,20 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/errors.hpp"
 #include "base/index.hpp"
-#include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "particles/close_pair.hpp"
 #include "particles/neighbourhood.hpp"
 
 namespace particles {
 
 using base::FailedComputation;
-using base::for_each_index;
 using base::Index;
 using base::shown;
 
@@ -35,16 +36,6 @@ std::string position_in_words(const Cloud<dim>& cloud, Index i) {
     return "x = " + shown_point(cloud.x().col(i));
 }
 
-/// Distances of all particles from particle i, in their order. [length]
-template <class Scalar>
-Column<double> distances(const Line<Scalar>& line, Index i) {
-    return (line.x() - line.x()[i]).abs().template cast<double>();
-}
-template <int dim>
-Column<double> distances(const Cloud<dim>& cloud, Index i) {
-    return (cloud.x().colwise() - cloud.x().col(i)).colwise().norm().transpose();
-}
-
 /// "second_order_fpm: particle 0 (x = 0) has 2 neighbours within 2h"
 /// \param points a line or a cloud \param near neighbours of particle i
 template <class Points, class Scalar, int dim, class Neighbours>
@@ -56,33 +47,89 @@ std::string neighbours_in_words(const Points& points, const Smoothing<Scalar, di
            shown(static_cast<double>(support<Scalar>(smoothing.kernel())), 3) + "h";
 }
 
-/// "try --smoothing 1.6": the smallest smoothing length with which particle i has enough neighbours, rounded
-/// up to a tenth. Its unit is the spacing, or the particle's own smoothing length where each has one.
-template <class Points, class Scalar, int dim>
-std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index i, Index needed) {
-    if (points.size() < needed) return "take at least " + std::to_string(needed) + " particles";
-    Column<double> distance = distances(points, i);
-    std::nth_element(distance.begin(), distance.begin() + (needed - 1), distance.end());
-    const Scalar unit = smoothing.is_local() ? smoothing.h(i) : points.spacing();
-    const double ratio =
-        distance[needed - 1] / static_cast<double>(unit * support<Scalar>(smoothing.kernel()));
-    return "try --smoothing " + shown(std::floor(10 * ratio * (1 + 1e-6) + 1) / 10) +
-           (smoothing.is_local() ? " times as large" : "");
+/// Whether a formulation has enough neighbours that determine its weights at each particle, or at ten thousand
+/// of them. The ends of a line come first, since they fail most often.
+/// \param weights a function of a Neighbourhood
+template <class Points, class Scalar, int dim, class Weights>
+bool determined(const Points& points, const Smoothing<Scalar, dim>& smoothing, const Requirement& required,
+                const Weights& weights) {
+    const Index N = points.size(), step = 1 + N / 10000;
+    try {
+        for (Index k = 0; k <= N / 2; k += step)
+            for (const Index i : {k, N - 1 - k}) {
+                const auto near = within_reach(points, smoothing, i);
+                if (static_cast<Index>(near.size()) < required.particles) return false;
+                static_cast<void>(weights(neighbourhood(points, smoothing, i, near)));
+            }
+    } catch (const FailedComputation&) {
+        return false;
+    }
+    return true;
+}
+
+/// "--smoothing 1.6": the least smoothing length, in steps of a tenth of it, with which all particles have what
+/// the formulation requires; empty if none is found, or if the lengths of few particles only are far
+/// too small. It is said as h/δ, where it was given so; else as the length [length], or in multiples of those
+/// that the particles have.
+/// \param weights a function of a Neighbourhood
+template <class Points, class Scalar, int dim, class Weights>
+std::string other_smoothing(const Points& points, const Smoothing<Scalar, dim>& smoothing,
+                            const Requirement& required, const Weights& weights) {
+    const Index nearest = std::max<Index>(required.particles - 1, 0);
+    // Factors of the present h with which one particle has enough neighbours, and with which all have.
+    double first = std::numeric_limits<double>::infinity(), least = 0;
+    for (Index i = 0; i < points.size(); ++i) {
+        const auto factor = static_cast<double>(distance_to_nearest(points, i, nearest) / smoothing.reach(i));
+        first = std::min(first, factor);
+        least = std::max(least, factor);
+    }
+    if (smoothing.is_local() && least > 1000 * first) return "";
+    const double unit = smoothing.ratio()      ? *smoothing.ratio()
+                        : smoothing.is_local() ? 1
+                                               : static_cast<double>(smoothing.h());
+    constexpr int steps = 30;
+    for (int k = 0; k < steps; ++k) {
+        const double wanted = unit * least * (1 + 1e-6) * std::pow(1.1, k);
+        if (!(std::isfinite(wanted) && wanted > 0)) break;
+        const double digit = std::pow(10, std::floor(std::log10(wanted)) - 1);
+        const std::string rounded = shown(std::ceil(wanted / digit) * digit);
+        const double factor = std::stod(rounded) / unit;
+        if (!determined(points, smoothing.times(factor), required, weights)) continue;
+        if (smoothing.ratio()) return "--smoothing " + rounded;
+        return smoothing.is_local() ? "smoothing lengths " + rounded + " times as large" : "h = " + rounded;
+    }
+    return "";
+}
+
+/// What helps where particle i has too few neighbours, or neighbours that do not determine the weights: the end
+/// of a sentence. \param weights a function of a Neighbourhood
+template <class Points, class Scalar, int dim, class Weights>
+std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index i,
+                   const Requirement& required, const Weights& weights) {
+    if (points.size() < required.particles)
+        return "take at least " + std::to_string(required.particles) + " particles";
+    const std::string pair = close_pair(points, i),
+                      other = other_smoothing(points, smoothing, required, weights);
+    if (!pair.empty()) return pair + (other.empty() ? "" : ", or try " + other);
+    if (!other.empty()) return "try " + other;
+    return std::string("take another ") + (smoothing.ratio() ? "--smoothing" : "smoothing length") +
+           " or other particles";
 }
 
 /// \param near the neighbours of each particle \param some particles that need enough
+/// \param weights a function of a Neighbourhood, for the remedy
 /// \throws FailedComputation naming the first particle with too few neighbours, and a remedy
-template <class Points, class Scalar, int dim, class Neighbours>
+template <class Points, class Scalar, int dim, class Neighbours, class Weights>
 void require_neighbours(const Points& points, const Smoothing<Scalar, dim>& smoothing,
-                        const std::vector<Neighbours>& near, const Requirement& required, const Range& some) {
-    for_each_index(some.size(), [&](Index k) {
-        const Index i = some.first + k;
-        const Neighbours& near_i = near[static_cast<std::size_t>(i)];
-        if (static_cast<Index>(near_i.size()) < required.particles)
-            throw FailedComputation(neighbours_in_words(points, smoothing, i, near_i, required) + ", needs " +
-                                    std::to_string(required.particles) + "; " +
-                                    remedy(points, smoothing, i, required.particles));
-    });
+                        const std::vector<Neighbours>& near, const Requirement& required, const Range& some,
+                        const Weights& weights) {
+    const auto near_of = [&](Index i) -> const Neighbours& { return near[static_cast<std::size_t>(i)]; };
+    Index i = some.first;
+    while (i < some.last && static_cast<Index>(near_of(i).size()) >= required.particles) ++i;
+    if (i < some.last)
+        throw FailedComputation(neighbours_in_words(points, smoothing, i, near_of(i), required) + ", needs " +
+                                std::to_string(required.particles) + "; " +
+                                remedy(points, smoothing, i, required, weights));
 }
 
 }  // namespace particles

@@ -187,3 +187,32 @@ TEST_CASE("operators: a line and the same particles as a cloud have the same ope
     CHECK_THROWS_WITH_AS(derivative(of_line, {3}), "operators of order 1 and 2 are known, not of order 3",
                          InvalidInput);
 }
+
+TEST_CASE("operators: in every dimension, what does not fit together is refused before it is computed") {
+    in_every_dimension([](auto dimension) {
+        constexpr int dim = dimension;
+        const Scene<dim> scene;
+        const Column<double> three = Column<double>::Constant(3, 0.1);
+        CHECK_THROWS_WITH_AS(
+            static_cast<void>(assemble(scene.cloud, Smoothing<double, dim>(Gaussian<dim>{}, three), required,
+                                       LeastSquares{})),
+            (std::to_string(scene.cloud.size()) + " particles need as many smoothing lengths, or one, got 3")
+                .c_str(),
+            InvalidInput);
+        const auto gradient_alone = [](const Neighbourhood<double, dim>& near) -> Derivatives<double, dim> {
+            return {near.DW, {}};
+        };
+        CHECK_THROWS_WITH_AS(
+            static_cast<void>(assemble(scene.cloud, scene.smoothing, {"gradient", 3}, gradient_alone)),
+            "gradient has given no weights of second derivatives, which a cloud's operators need",
+            InvalidInput);
+        const auto not_finite = [](const Neighbourhood<double, dim>& near) {
+            auto all = LeastSquares{}(near);
+            all.second(0, 0) = std::nan("");
+            return all;
+        };
+        CHECK_THROWS_WITH_AS(
+            static_cast<void>(assemble(scene.cloud, scene.smoothing, {"mine", 3}, not_finite)),
+            doctest::Contains("but its weights are not finite; "), FailedComputation);
+    });
+}

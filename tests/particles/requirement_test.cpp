@@ -36,6 +36,64 @@ TEST_CASE(
     CHECK(message("original", 2, {}) == "no error");
 }
 
+TEST_CASE("requirement: the remedy is said as h was, and serves all particles at once") {
+    const auto squares = [](Index N) { return Column<double>(uniform_positions(N).square()); };
+    const auto line = line_at<double>(squares(51), Volumes::equal);
+    const auto& formulation = asprone2010::formulation_named<double>("second_order_fpm");
+    const auto refused = [&](const Smoothing<>& smoothing) {
+        try {
+            static_cast<void>(formulation.operators(line, smoothing));
+        } catch (const FailedComputation& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto number = [](const std::string& message, const std::string& before) {
+        const std::size_t at = message.find("; try " + before);
+        CAPTURE(message);
+        REQUIRE(at != std::string::npos);
+        return std::stod(message.substr(at + 6 + before.size()));
+    };
+    for (const Kernel<>& kernel : {Kernel<>(Gaussian{}), Kernel<>(WendlandC2{})}) {
+        for (const double unit : {0.001, 0.02, 0.3, 1e300}) {
+            const Column<double> spacing = Column<double>::Constant(1, unit);
+            const Smoothing<> in_spacings(kernel, spacing, 1.0), as_length(kernel, unit);
+            if (refused(as_length).empty()) continue;
+            const double ratio = number(refused(in_spacings), "--smoothing ");
+            CHECK(refused(Smoothing<>(kernel, spacing, ratio)).empty());
+            const double h = number(refused(as_length), "h = ");
+            CHECK(refused(Smoothing<>(kernel, h)).empty());
+        }
+        const Column<double> too_small = 0.2 * spacing(line, Spacing::nearest);
+        const double more = number(refused(Smoothing<>(kernel, too_small)), "smoothing lengths ");
+        CHECK(refused(Smoothing<>(kernel, Column<double>(more * too_small))).empty());
+        const double ratio = number(refused(Smoothing<>(kernel, too_small, 3.0)), "--smoothing ");
+        CHECK(ratio == more);
+        CHECK(refused(Smoothing<>(kernel, too_small, ratio)).empty());
+    }
+}
+
+TEST_CASE("requirement: neighbours far within h are refused with a smaller length that serves") {
+    const auto& formulation = asprone2010::formulation_named<double>("second_order_fpm");
+    const auto line = line_at<double>(uniform_positions(20), Volumes::equal);
+    const Column<double> mean = spacing(line, Spacing::mean);
+    CHECK_THROWS_WITH_AS(static_cast<void>(formulation.operators(line, {Gaussian{}, mean, 1e9})),
+                         doctest::Contains("singular"), FailedComputation);
+    CHECK_THROWS_WITH_AS(static_cast<void>(formulation.operators(line, {Gaussian{}, mean, 1e9})),
+                         doctest::Contains("; try --smoothing 0.5"), FailedComputation);
+    CHECK_NOTHROW(static_cast<void>(formulation.operators(line, {Gaussian{}, mean, 0.5})));
+}
+
+TEST_CASE("requirement: where nothing is found, the words name no direction") {
+    const auto line = line_at<double>(uniform_positions(9), Volumes::equal);
+    const auto never = [](const Neighbourhood<double>&) -> Derivatives<double> {
+        throw SingularNeighbourhood(0);
+    };
+    CHECK_THROWS_WITH_AS(static_cast<void>(assemble(line, Smoothing<>(Gaussian{}, 0.1), {"never", 2}, never)),
+                         doctest::Contains("; take another smoothing length or other particles"),
+                         FailedComputation);
+}
+
 TEST_CASE("requirement: a formulation that fails at several particles names the first") {
     omp_set_num_threads(4);
     CHECK(message("modified_fpm", 2000, {Volumes::equal, CubicSpline{}, 0.4, 0}).find("particle 0 ") !=
