@@ -4,9 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "base/index.hpp"
@@ -30,6 +32,8 @@ using base::InvalidInput;
 /// | local | each particle's to the farther of its two neighbours | to the farthest of the 2·dim nearest |
 /// | nearest | each particle's to the nearest other one | the same |
 /// | K-nearest | each particle's to the farthest of the K nearest | the same |
+///
+/// An end of a line has one neighbour. In one dimension the local spacing of a cloud is that of the line.
 ///
 /// A smoothing length may be given as well, as one number for all particles or as one for each.
 struct Spacing {
@@ -143,6 +147,24 @@ Column<Scalar> spacing(const Line<Scalar>& line, const Spacing& which) {
     return detail::given_lengths(which, N).template cast<Scalar>();
 }
 
+namespace detail {
+
+/// The local spacing of a line whose particles are in any order.
+inline Column<double> local_on_a_line(const Cloud<1>& cloud) {
+    const Index N = cloud.size();
+    std::vector<Index> order(static_cast<std::size_t>(N));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return cloud.x()(0, a) < cloud.x()(0, b); });
+    Column<double> x(N), local(N);
+    for (Index k = 0; k < N; ++k) x[k] = cloud.x()(0, order[static_cast<std::size_t>(k)]);
+    const Column<double> in_order = spacing(Line<double>(x, Column<double>::Zero(N)), Spacing::local);
+    for (Index k = 0; k < N; ++k) local[order[static_cast<std::size_t>(k)]] = in_order[k];
+    return local;
+}
+
+}  // namespace detail
+
 /// The spacing of a cloud's particles: one number for all, or one for each.
 /// \throws InvalidInput if there are too few particles, or not as many as given lengths
 template <int dim>
@@ -154,6 +176,7 @@ Column<double> spacing(const Cloud<dim>& cloud, const Spacing& which) {
         case Spacing::largest:
             return Column<double>::Constant(1, cloud.apart().maxCoeff());
         case Spacing::local:
+            if constexpr (dim == 1) return detail::local_on_a_line(cloud);
             return distances_to_nearest(cloud, std::min(Index{2} * dim, N - 1));
         case Spacing::nearest:
             return which.k == 1 ? cloud.apart() : distances_to_nearest(cloud, which.k);
