@@ -44,9 +44,10 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Sca
 }
 
 [[noreturn]] void refuse(Eigen::Index unknowns, double reciprocal_condition) {
-    throw base::FailedComputation(
-        "the linear system of " + std::to_string(unknowns) + " unknowns is singular (reciprocal condition " +
-        base::shown(reciprocal_condition, 2) + "); take another formulation or other particles");
+    throw base::FailedComputation("the linear system of " + std::to_string(unknowns) +
+                                  " unknowns is singular (reciprocal condition " +
+                                  base::shown(reciprocal_condition, 2) +
+                                  "); take another smoothing length, another formulation or other particles");
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST_CASE("banded: a singular system is reported, exactly and nearly singular on
     A.setFromTriplets(entries.begin(), entries.end());
     CHECK_THROWS_WITH_AS(
         solvers::solve_banded(A, Eigen::Array3d::Ones()),
-        "the linear system of 3 unknowns is singular (reciprocal condition 0); take another formulation or other particles",
+        "the linear system of 3 unknowns is singular (reciprocal condition 0); take another smoothing length, another formulation or other particles",
         base::FailedComputation);
     A.coeffRef(1, 1) = 4 * (1 + 3e-16);
     CHECK_THROWS_AS(solvers::solve_banded(A, Eigen::Array3d::Ones()), base::FailedComputation);
