@@ -32,12 +32,22 @@ std::vector<std::string> known_formulations(const std::vector<std::string>& extr
     return names;
 }
 
+/// "h/delta 1", "h/largest spacing 1.5", "h = 0.06", "h 2 times the numbers of h.txt"
+std::string smoothing_in_words(const Options& options) {
+    const std::string ratio = base::shown(options.smoothing);
+    if (options.smoothing_from == "mean") return "h/delta " + ratio;
+    if (options.spacing.kind != particles::Spacing::given)
+        return "h/" + options.smoothing_from + " spacing " + ratio;
+    const auto& lengths = options.spacing.lengths;
+    if (lengths.size() == 1) return "h = " + base::shown(options.smoothing * lengths[0]);
+    return "h " + (options.smoothing == 1 ? "" : ratio + " times ") + "the numbers of " +
+           options.smoothing_from;
+}
+
 /// The options that all rows share.
 std::string parameters(const Options& options) {
-    const bool from_mean = options.smoothing_from == "mean";
-    std::string text = "kernel " + options.kernel +
-                       (from_mean ? ", h/delta " : ", h/" + options.smoothing_from + " spacing ") +
-                       base::shown(options.smoothing) + ", volumes " + options.volumes;
+    std::string text =
+        "kernel " + options.kernel + ", " + smoothing_in_words(options) + ", volumes " + options.volumes;
     if (const auto& x = options.positions; x.size() > 0) {
         const particles::Column<double> apart = x.tail(x.size() - 1) - x.head(x.size() - 1);
         text += ", positions of a file, " + base::shown(apart.minCoeff()) + " to " +
@@ -95,7 +105,7 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
         .type_name("RATIO");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local (to the farther of its two neighbours), nearest, K-nearest (to the farthest of the K nearest, such as 4-nearest), a number, or a file with a number for each particle")
+           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local (to the farther of its two neighbours), nearest, K-nearest (to the farthest of the K nearest, such as 4-nearest); or a length: a number, or a file with a number for each particle, FILE or FILE:COLUMN")
         .type_name("NAME");
     app.add_list("--perturb", options.perturbations,
                  "amplitudes a, a list: inner particles move by U(-1,1) a delta (default 0; the paper: 0.25)")
@@ -141,7 +151,10 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
     };
     const std::size_t scalar =
         in_precision(options.precision, [](auto zero) { return sizeof(decltype(zero)); });
-    for (const long N : options.particles) check_line(N, support * spacings(N), scalar);
+    for (const long N : options.particles) {
+        check_line(N, support * spacings(N), scalar);
+        check_lengths(options.spacing, options.smoothing_from, N);
+    }
     const double count = static_cast<double>(wanted.size() * options.particles.size()) *
                          static_cast<double>(options.perturbations.size()) *
                          static_cast<double>(options.seeds);
@@ -240,7 +253,7 @@ int run(CommandLine& app, int argc, char** argv, Options& options,
         if (options.spacing.kind == particles::Spacing::given)
             check_apart({{"--output", options.output},
                          {"--plot", options.figure.path},
-                         {"--smoothing-from", options.smoothing_from}});
+                         {"--smoothing-from", named_file(options.smoothing_from).path}});
         if (options.positions_file) {
             check_apart({{"--output", options.output},
                          {"--plot", options.figure.path},

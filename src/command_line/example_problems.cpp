@@ -89,7 +89,7 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
                      base::shown(options.scaling.front()) + ")");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest), local, mean, largest, a number (for stretched grids), or a file with a number for each particle")
+           "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest), local (to the farthest of the 4 nearest), mean (the spacing of a grid of as many particles), largest (the largest distance to a nearest particle), a number (for stretched grids), or a file with a number for each particle, FILE or FILE:COLUMN")
         .type_name("NAME");
     app.add_list("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)");
     app.add_list("--gauss", options.gauss,
@@ -145,7 +145,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
         check_apart({{"--output", options.output},
                      {"--field", options.field},
                      {"--plot", options.figure.path},
-                     {"--smoothing-from", options.smoothing_from}});
+                     {"--smoothing-from", named_file(options.smoothing_from).path}});
     double count = 1;
     for (const std::size_t choices :
          {methods.size(), options.poisson.size(), options.degree.size(), options.scaling.size(),
@@ -310,6 +310,7 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
 
 void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Cloud<2>& cloud,
                        const std::vector<Cell>& layout, const Places& places, const Errors& errors) {
+    check_lengths(one.how.smoothing_from, options_.smoothing_from, cloud.size());
     Cost cost;
     const example_problems::Solution solution = solved(problem, cloud, one.how, cost);
     const Solved found{problem, cloud, solution};

@@ -93,11 +93,13 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
         CHECK(x == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
     }
     CHECK(points("# nothing\nx1, x2\n").cols() == 0);
+    CHECK(points("x1,x2,h\n0,0.25,0.1\n1,2,0.1\n").cols() == 2);
     for (const auto& [text, reason] : std::vector<std::pair<const char*, const char*>>{
              {"0 1\n2\n", "x.csv, line 2: '2' is not two numbers"},
              {"0 1\n1 2 3\n", "line 2: '1 2 3' is not two numbers"},
              {"0,1,2\n", "line 1: '0,1,2' is not two numbers"},
              {"0,,1\n", "line 1: '0,,1' is not two numbers"},
+             {"x,y,h\n0,0,1\n0,1\n", "line 3: '0,1' has 2 columns, the header 3"},
              {"0,\n", "line 1: '' is no number"},
              {",0\n", "line 1: '' is no number"},
              {"0 1, 2\n", "line 1: '0 1' is no number"},
@@ -199,10 +201,14 @@ TEST_CASE(
     }
     check_refused(command + " --positions " + file + " --smoothing-from 60-nearest", 2,
                   "60 nearest of 60 particles");
-    check_refused(
-        "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from local --positions " +
-            file,
-        1, "times as large");
+    // The remedy is a --smoothing, with the same --smoothing-from.
+    for (const std::string from : {"local", "nearest", "mean", "0.001", "1e300"}) {
+        const std::string refused =
+            "derivative_test --formulation second_order_fpm --kernel cubic_spline --smoothing-from " + from +
+            " --positions " + file;
+        const std::string why = check_refused(refused, 1, "; try --smoothing ");
+        CHECK(run(refused + why.substr(why.find(" --smoothing "))).code == 0);
+    }
 }
 
 TEST_CASE("positions: smoothing lengths from a number, and from a file with a number for each particle") {
@@ -221,13 +227,81 @@ TEST_CASE("positions: smoothing lengths from a number, and from a file with a nu
     CHECK(error("0.05263157894736842") == support::relative(error("mean"), 1e-9));
     const std::string command = "derivative_test --particles 20 --smoothing-from ";
     check_refused("derivative_test --particles 19 --smoothing-from " + file, 2,
-                  "19 particles need as many spacings, or one, got 20");
+                  "h.csv has 20 numbers, for 19 particles");
     check_refused(command + "-1", 2, "--smoothing-from must be positive and finite, got -1");
     check_refused(command + "/nowhere/h.csv", 1, "cannot read /nowhere/h.csv");
     report::write_whole(file, "0.1\n0\n");
     check_refused(command + file, 2, "h.csv, line 2: '0' is not positive");
     check_refused(command + file + " --output " + file, 2, "--smoothing-from");
     check_refused(command + "/dev/null", 2, "/dev/null holds no number");
+}
+
+TEST_CASE("positions: smoothing lengths from a column of a file, by its name or its number") {
+    const Folder folder;
+    const std::string file = folder.path + "/xh.csv", colon = folder.path + "/a:h";
+    const auto lengths = [](const std::string& text) { return spacing_from(text).lengths; };
+    const particles::Column<double> expected{{0.1, 0.2}};
+    for (const std::string text :
+         {"x,h\n0,0.1\n1,0.2\n", "\"x\", \"h\" # lengths\n0, 0.1\n\n1 ,0.2", "x\th\n0\t0.1\n1  0.2\n"}) {
+        report::write_whole(file, text);
+        for (const std::string column : {":h", ":2"}) {
+            REQUIRE(lengths(file + column).size() == 2);
+            CHECK((lengths(file + column) == expected).all());
+        }
+        CHECK_THROWS_WITH_AS(lengths(file + ":1"), doctest::Contains("'0' is not positive"),
+                             base::InvalidInput);
+        CHECK_THROWS_WITH_AS(lengths(file), doctest::Contains("has 2 columns; name one, such as "),
+                             base::InvalidInput);
+        CHECK_THROWS_WITH_AS(lengths(file + ":H"),
+                             doctest::Contains("xh.csv has no column 'H'; its header is "),
+                             base::InvalidInput);
+        CHECK_THROWS_WITH_AS(lengths(file + ":0"), doctest::Contains("has no column '0'"),
+                             base::InvalidInput);
+        CHECK_THROWS_WITH_AS(lengths(file + ":3"), doctest::Contains("has no column 3"), base::InvalidInput);
+    }
+    report::write_whole(file, "0,0.1\n1,0.2\n");
+    CHECK((lengths(file + ":2") == expected).all());
+    CHECK_THROWS_WITH_AS(lengths(file + ":h"),
+                         doctest::Contains("has no column 'h'; it has no header, take a number from 1"),
+                         base::InvalidInput);
+    report::write_whole(colon, "0.1\n0.2\n");
+    CHECK((lengths(colon) == expected).all());
+
+    std::string body = "x,h\n";
+    for (int k = 0; k < 20; ++k) body += base::shown(k / 19.0, 17) + ",0.1\n";
+    report::write_whole(file, body);
+    const auto by_column = run("derivative_test --positions " + file + " --smoothing-from " + file + ":h");
+    CHECK(by_column.output.find("h the numbers of " + file + ":h, volumes") != std::string::npos);
+    const auto by_number = run("derivative_test --positions " + file + " --smoothing-from 0.1");
+    CHECK(by_number.output.find(", h = 0.1, volumes") != std::string::npos);
+    CHECK(by_column.output.substr(by_column.output.find("\nformulation")) ==
+          by_number.output.substr(by_number.output.find("\nformulation")));
+    check_refused("derivative_test --positions " + file + " --smoothing-from " + file + ":h --output " + file,
+                  2, "--output");
+}
+
+TEST_CASE(
+    "positions: a smoothing length is a number in any usual form, and what is neither number, name nor file is refused") {
+    for (const std::string number : {"0.2", "+0.2", " 0.2 ", "2e-1"}) {
+        const auto spacing = spacing_from(number);
+        REQUIRE(spacing.kind == particles::Spacing::given);
+        CHECK(spacing.lengths[0] == 0.2);
+    }
+    CHECK(spacing_from(" local ").kind == particles::Spacing::local);
+    for (const std::string wrong : {"2.5-nearest", "0.2m", "0.2,0.3", "least", "-", "+", "++1", ".", "x:h"})
+        CHECK_THROWS_WITH_AS(spacing_from(wrong), doctest::Contains("; choose one of mean, largest, local"),
+                             base::InvalidInput);
+    for (const std::string wrong : {"0", "-1", "nan", "inf", "1e999"})
+        CHECK_THROWS_WITH_AS(spacing_from(wrong), doctest::Contains("must be positive and finite"),
+                             base::InvalidInput);
+    CHECK_THROWS_WITH_AS(spacing_from("h.csv"), doctest::Contains("cannot read h.csv"),
+                         base::FailedComputation);
+    const Folder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path);
+    report::write_whole("lengths", "0.1\n0.2\n");
+    CHECK(spacing_from("lengths").lengths.size() == 2);
+    std::filesystem::current_path(before);
 }
 
 TEST_CASE("positions: what is no number or infinite is no header") {

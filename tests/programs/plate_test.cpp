@@ -86,6 +86,11 @@ TEST_CASE(
     }
     const auto by_number = programs::run("plate --particles 16x4 --smoothing-from 0.0666666666666666666");
     CHECK(by_number.code == 0);
+    const programs::Folder folder;
+    const std::string file = folder.path + "/h.txt";
+    report::write_whole(file, "0.1\n0.1\n");
+    programs::check_refused("plate --particles 16x4 --smoothing-from " + file, 2,
+                            "h.txt has 2 numbers, for 64 particles");
 }
 
 TEST_CASE("plate: a support that is too small is a failed computation with a remedy") {
