@@ -28,3 +28,4 @@ examples: $(methods) ## build and run the examples as a user would: outside of t
 	env -u MAKEFLAGS make --no-print-directory -C "$$folder"
 	"$$folder/heat_equation"
 	"$$folder/laplacian"
+	"$$folder/own_formulation"
