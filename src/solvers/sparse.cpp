@@ -133,8 +133,9 @@ std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::Vector
 
 Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest) {
     const auto refuse = [&](const std::string& why) {
-        throw base::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
-                                      why + "; take another scaling factor or other particles");
+        throw base::FailedComputation(
+            "the linear system of " + std::to_string(A.rows()) + " unknowns " + why +
+            "; take another scaling factor, another smoothing length or other particles");
     };
     scale_rows(A, b, nearest);
     for (Eigen::Index row = 0; row < A.rows(); ++row)

@@ -117,7 +117,7 @@ TEST_CASE("sparse: a singular system is refused with its size") {
     const auto refused = [](const Eigen::Matrix4d& entries) {
         CHECK_THROWS_WITH_AS(
             solve_sparse(full(entries), Eigen::Vector4d::Ones()),
-            "the linear system of 4 unknowns is singular; take another scaling factor or other particles",
+            "the linear system of 4 unknowns is singular; take another scaling factor, another smoothing length or other particles",
             base::FailedComputation);
     };
     refused(Eigen::Matrix4d{
@@ -131,11 +131,12 @@ TEST_CASE("sparse: a singular system is refused with its size") {
 TEST_CASE("sparse: rows that are zero or not finite are refused by their number, and so are such loads") {
     const Eigen::Matrix4d I = Eigen::Matrix4d::Identity();
     const auto refused = [&](const Eigen::Matrix4d& A, const Eigen::Vector4d& b, const std::string& row) {
-        CHECK_THROWS_WITH_AS(solve_sparse(full(A), b),
-                             ("the linear system of 4 unknowns has a row " + row +
-                              " that is zero or not finite; take another scaling factor or other particles")
-                                 .c_str(),
-                             base::FailedComputation);
+        CHECK_THROWS_WITH_AS(
+            solve_sparse(full(A), b),
+            ("the linear system of 4 unknowns has a row " + row +
+             " that is zero or not finite; take another scaling factor, another smoothing length or other particles")
+                .c_str(),
+            base::FailedComputation);
     };
     const auto with = [&](int row, int column, double entry) {
         Eigen::Matrix4d A = I;
@@ -193,7 +194,7 @@ TEST_CASE("sparse: a singular system is refused whatever stands for the nearest 
     for (const SparseRows& nearest : {singular, regular})
         CHECK_THROWS_WITH_AS(
             solve_sparse(singular, Eigen::Vector4d(1, 2, 5, 1), nearest),
-            "the linear system of 4 unknowns is singular; take another scaling factor or other particles",
+            "the linear system of 4 unknowns is singular; take another scaling factor, another smoothing length or other particles",
             base::FailedComputation);
 }
 
