@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/errors.hpp"
@@ -86,6 +87,14 @@ Lines lines_of(std::string_view text) {
     return found;
 }
 
+/// The place of a column, from 0, by its name in the header; nothing where there is none.
+std::optional<std::size_t> place_named(std::string_view column, std::string_view header) {
+    const std::vector<std::string_view> names = entries(header);
+    for (std::size_t place = 0; place < names.size(); ++place)
+        if (names[place] == column || names[place] == "\"" + std::string(column) + "\"") return place;
+    return {};
+}
+
 /// Throws an error that names the option, the file, the line and the entry.
 struct Refusal {
     std::string option, path;
@@ -133,14 +142,22 @@ particles::Points<2> read_points(const std::string& path) {
     const std::string text = report::read_whole(path);
     std::vector<double> x;
     const auto [header, lines] = lines_of(text);
-    const std::size_t columns = header.empty() ? 2 : entries(header).size();
+    std::size_t columns = 2, first = 0, second = 1;
+    for (const auto& [name, other] : {std::pair{"x1", "x2"}, std::pair{"x", "y"}})
+        if (const auto named = place_named(name, header), named_other = place_named(other, header);
+            named && named_other) {
+            columns = entries(header).size();
+            first = *named;
+            second = *named_other;
+        }
     for (const Line& line : lines) {
         const std::vector<std::string_view> all = entries(line.text);
-        if (all.size() < 2 || (columns <= 2 && all.size() > 2)) refuse(line, line.text, "is not two numbers");
-        if (columns > 2 && all.size() != columns)
+        if (all.size() != columns)
             refuse(line, line.text,
-                   "has " + std::to_string(all.size()) + " columns, the header " + std::to_string(columns));
-        for (const std::string_view entry : {all[0], all[1]}) x.push_back(number_in(line, entry, refuse));
+                   columns == 2 ? "is not two numbers"
+                                : "has " + std::to_string(all.size()) + " columns, the header " +
+                                      std::to_string(columns));
+        for (const std::size_t place : {first, second}) x.push_back(number_in(line, all[place], refuse));
     }
     return Eigen::Map<particles::Points<2>>(x.data(), 2, static_cast<particles::Index>(x.size() / 2));
 }
@@ -150,9 +167,7 @@ namespace {
 /// The place of a column, from 0, by its name in the header or by its number, from 1.
 /// \return nothing where there is none
 std::optional<std::size_t> place_of(std::string_view column, std::string_view header) {
-    const std::vector<std::string_view> names = entries(header);
-    for (std::size_t place = 0; place < names.size(); ++place)
-        if (names[place] == column || names[place] == "\"" + std::string(column) + "\"") return place;
+    if (const auto named = place_named(column, header)) return named;
     std::size_t number = 0;
     const auto [stop, error] = std::from_chars(column.data(), column.data() + column.size(), number);
     if (error != std::errc() || stop != column.data() + column.size() || number == 0) return {};

@@ -14,8 +14,8 @@ namespace command_line {
 /// \throws base::FailedComputation where the file cannot be read
 particles::Column<double> read_positions(const std::string& path);
 
-/// Positions of particles in the plane from a file: x₁ and x₂ per line, separated by a comma or blanks, and
-/// further columns if a header names them; comments as above.
+/// Positions of particles in the plane from a file: x₁ and x₂ per line, separated by a comma or blanks; or
+/// the columns x1 and x2, or x and y, that a header names among others. Comments as above.
 /// \return in the order of the file [length]
 /// \throws base::InvalidInput naming file, line and value of any line that is not two numbers, or has not the
 ///         header's columns

@@ -93,12 +93,16 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
         CHECK(x == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
     }
     CHECK(points("# nothing\nx1, x2\n").cols() == 0);
-    CHECK(points("x1,x2,h\n0,0.25,0.1\n1,2,0.1\n").cols() == 2);
+    const auto named = (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished();
+    CHECK(points("x1,x2,h\n0,0.25,0.1\n1,2,0.1\n") == named);
+    CHECK(points("name h \"y\" x # columns\na 0.1 0.25 0\nb 0.1 2 1\n") == named);
+    CHECK(points("particles in the plane\n0 0.25\n1 2\n") == named);
     for (const auto& [text, reason] : std::vector<std::pair<const char*, const char*>>{
              {"0 1\n2\n", "x.csv, line 2: '2' is not two numbers"},
              {"0 1\n1 2 3\n", "line 2: '1 2 3' is not two numbers"},
              {"0,1,2\n", "line 1: '0,1,2' is not two numbers"},
              {"0,,1\n", "line 1: '0,,1' is not two numbers"},
+             {"id,u,v\n1,2,3\n", "line 2: '1,2,3' is not two numbers"},
              {"x,y,h\n0,0,1\n0,1\n", "line 3: '0,1' has 2 columns, the header 3"},
              {"0,\n", "line 1: '' is no number"},
              {",0\n", "line 1: '' is no number"},
