@@ -44,6 +44,7 @@ endif
 # A new source file is found by its folder. The folders that compile longest come first, so that no long file is left
 # for the end. What decides and shows the claims is a library apart, which no figure needs.
 bin := $(BUILD)/bin
+version := $(shell sed -n 's/^version: //p' CITATION.cff)
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 sources := $(shell find src tests -name '*.cpp' | LC_ALL=C sort)
 objects_in = $(patsubst %.cpp,$(BUILD)/%.o,$(foreach files,$(1),$(filter $(files),$(sources))))
@@ -118,6 +119,8 @@ $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	mv $@.tmp.o $@
 # Tests compile a sixth faster at -O1, and run as long. --plot finds the figures' scripts in the folder of the source.
 $(tests) $(BUILD)/tests/libraries.hpp.gch: private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
+$(BUILD)/src/command_line/command_line.o: CITATION.cff
+$(BUILD)/src/command_line/command_line.o: private CPPFLAGS += -DVERSION='"$(version)"'
 $(BUILD)/src/command_line/plot.o: private CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 
 $(methods): $(method_objects)

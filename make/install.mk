@@ -10,8 +10,17 @@ define install_below
 	    install -D -m 644 "$$header" "$$root/include/particle-methods/$${header#src/}"
 	done
 	install -D -m 644 -t "$$root/lib" $(methods)
-	install -d "$$root/lib/pkgconfig"
-	{ echo "prefix=$${prefix// /\\ }"; cat make/particle-methods.pc; } > "$$root/lib/pkgconfig/particle-methods.pc"
+	# Programs compiled with other flags than the library need the width of its vector registers.
+	register=$$(echo '#include "base/vector_width.hpp"' | $(CXX) $(CXXFLAGS) $(CPPFLAGS) -x c++ -E -dM - |
+	    sed -n 's/^#define PARTICLE_METHODS_REGISTER //p')
+	sed -i "1i #define PARTICLE_METHODS_REGISTER $$register" "$$root/include/particle-methods/base/vector_width.hpp"
+	install -d "$$root/lib/pkgconfig" "$$root/lib/cmake/particle-methods"
+	{ printf '%s\n' "prefix=$${prefix// /\\ }" "register=$$register" "version=$(version)"; cat make/particle-methods.pc; } \
+	    > "$$root/lib/pkgconfig/particle-methods.pc"
+	{ echo "set(particle_methods_register $$register)"; cat make/particle-methods-config.cmake; } \
+	    > "$$root/lib/cmake/particle-methods/particle-methods-config.cmake"
+	{ echo "set(PACKAGE_VERSION $(version))"; cat make/particle-methods-config-version.cmake; } \
+	    > "$$root/lib/cmake/particle-methods/particle-methods-config-version.cmake"
 	echo "installed below $$root"
 endef
 
@@ -24,8 +33,17 @@ examples: $(methods) ## build and run the examples as a user would: outside of t
 	export PKG_CONFIG_PATH="$$prefix/lib/pkgconfig"
 	folder=$$(mktemp -d)
 	trap 'rm -rf "$$folder"' EXIT
-	cp examples/Makefile examples/*.cpp "$$folder"
-	env -u MAKEFLAGS make --no-print-directory -C "$$folder"
-	"$$folder/heat_equation"
-	"$$folder/laplacian"
-	"$$folder/own_formulation"
+	cp examples/Makefile examples/CMakeLists.txt examples/*.cpp "$$folder"
+	# With the library's flags and with those of this processor, by both compilers, by make and by CMake.
+	for compiler in g++ clang++; do
+	    for flags in -O2 "-O2 -march=native"; do
+	        echo "with $$compiler $$flags"
+	        env -u MAKEFLAGS make --no-print-directory --always-make -C "$$folder" CXX=$$compiler OPTIMISE="$$flags"
+	        "$$folder/heat_equation"
+	        "$$folder/laplacian"
+	        "$$folder/own_formulation"
+	    done
+	    cmake -S "$$folder" -B "$$folder/$$compiler" -DCMAKE_CXX_COMPILER=$$compiler -DCMAKE_PREFIX_PATH="$$prefix"
+	    cmake --build "$$folder/$$compiler" --target heat_equation
+	    "$$folder/$$compiler/heat_equation"
+	done

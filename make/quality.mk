@@ -41,7 +41,7 @@ $(BUILD)/lint/%.alone: % $(BUILD)/flags
 $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 	@mkdir -p $(@D)
 	echo "read $<"
-	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' $(for_clang_only) 2> $@.log ||
+	clang-tidy --quiet $< -- $(CXXFLAGS) $(CPPFLAGS) -DSOURCE_FOLDER='""' -DVERSION='""' $(for_clang_only) 2> $@.log ||
 	    { cat $@.log >&2; exit 1; }
 	touch $@
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "base/vector_width.hpp"
+
 /// The ground floor, on which all other folders stand: errors, numbers and their text, threads, memory. It
 /// knows no particles.
 namespace base {

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <limits>
 
+#include "base/vector_width.hpp"
+
 namespace base {
 
 /// The same quantity of several consecutive particles, one in each lane. As a scalar in place of double, it
@@ -11,13 +13,7 @@ namespace base {
 ///
 /// A comparison has an answer for each lane; everywhere() and chosen() take the place of branches.
 struct Pack {
-#if defined(__AVX512F__)
-    static constexpr int lanes = 8;
-#elif defined(__AVX__)
-    static constexpr int lanes = 4;
-#else
-    static constexpr int lanes = 2;
-#endif
+    static constexpr int lanes = numbers_in_register;
     using Vector [[gnu::vector_size(lanes * sizeof(double))]] = double;
     using Mask = decltype(Vector{} < Vector{});
 
@@ -34,43 +30,19 @@ struct Pack {
         __builtin_memcpy(&loaded.values, first, sizeof(Vector));
         return loaded;
     }
-    [[nodiscard]] double operator[](int lane) const {
-        return values[lane];
-    }
+    [[nodiscard]] double operator[](int lane) const { return values[lane]; }
 
-    Pack operator-() const {
-        return Pack(-values);
-    }
-    Pack& operator+=(const Pack& b) {
-        return *this = Pack(values + b.values);
-    }
-    Pack& operator-=(const Pack& b) {
-        return *this = Pack(values - b.values);
-    }
-    Pack& operator*=(const Pack& b) {
-        return *this = Pack(values * b.values);
-    }
-    Pack& operator/=(const Pack& b) {
-        return *this = Pack(values / b.values);
-    }
-    friend Pack operator+(const Pack& a, const Pack& b) {
-        return Pack(a.values + b.values);
-    }
-    friend Pack operator-(const Pack& a, const Pack& b) {
-        return Pack(a.values - b.values);
-    }
-    friend Pack operator*(const Pack& a, const Pack& b) {
-        return Pack(a.values * b.values);
-    }
-    friend Pack operator/(const Pack& a, const Pack& b) {
-        return Pack(a.values / b.values);
-    }
-    friend Mask operator<(const Pack& a, const Pack& b) {
-        return a.values < b.values;
-    }
-    friend Mask operator>(const Pack& a, const Pack& b) {
-        return a.values > b.values;
-    }
+    Pack operator-() const { return Pack(-values); }
+    Pack& operator+=(const Pack& b) { return *this = Pack(values + b.values); }
+    Pack& operator-=(const Pack& b) { return *this = Pack(values - b.values); }
+    Pack& operator*=(const Pack& b) { return *this = Pack(values * b.values); }
+    Pack& operator/=(const Pack& b) { return *this = Pack(values / b.values); }
+    friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.values + b.values); }
+    friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.values - b.values); }
+    friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.values * b.values); }
+    friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.values / b.values); }
+    friend Mask operator<(const Pack& a, const Pack& b) { return a.values < b.values; }
+    friend Mask operator>(const Pack& a, const Pack& b) { return a.values > b.values; }
 };
 
 /// Does a comparison hold in every lane?

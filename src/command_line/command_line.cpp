@@ -26,6 +26,7 @@ constexpr int most_threads = 1024;
 CommandLine::CommandLine(const std::string& about, const std::string& name, const std::string& examples)
     : app_(std::make_unique<CLI::App>(about, name)) {
     app_->footer(examples);
+    app_->set_version_flag("--version", name + " of particle-methods " VERSION, "Print the version and exit");
 }
 CommandLine::CommandLine(CommandLine&&) noexcept = default;
 CommandLine& CommandLine::operator=(CommandLine&&) noexcept = default;

@@ -11,4 +11,11 @@ template Operators<long double> assemble(const Line<long double>&, const Smoothi
 template Operators<base::Quad> assemble(const Line<base::Quad>&, const Smoothing<base::Quad>&,
                                         const Requirement&, const Rule<base::Quad>&, const Range&);
 
+template Operators<double, 1> assemble(const Cloud<1>&, const Smoothing<double, 1>&, const Requirement&,
+                                       const CloudRule<1>&, const Range&);
+template Operators<double, 2> assemble(const Cloud<2>&, const Smoothing<double, 2>&, const Requirement&,
+                                       const CloudRule<2>&, const Range&);
+template Operators<double, 3> assemble(const Cloud<3>&, const Smoothing<double, 3>&, const Requirement&,
+                                       const CloudRule<3>&, const Range&);
+
 }  // namespace particles

@@ -293,19 +293,19 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
     return assemble(line, smoothing, required, rule, {0, line.size()});
 }
 
+/// A formulation on a cloud: a pure function.
+template <int dim>
+using CloudRule = std::function<Derivatives<double, dim>(const Neighbourhood<double, dim>&)>;
+
 /// Assembles the operators of a formulation on a cloud, as on a line: the row of particle i holds the weights
 /// that `rule` gives for its neighbourhood, columns in increasing order.
-/// \param rule a pure function of a Neighbourhood, which returns Derivatives
 /// \param rows particles that have a row
 /// \throws InvalidInput unless there is one smoothing length, or one for each particle
 /// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite, naming
 ///         the formulation, the particle, its position, its neighbours and a remedy
-template <int dim, class Rule>
+template <int dim>
 Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
-                                const Requirement& required, const Rule& rule, const Range& rows) {
-    static_assert(std::is_same_v<std::invoke_result_t<Rule, const Neighbourhood<double, dim>&>,
-                                 Derivatives<double, dim>>,
-                  "a rule on a cloud returns Derivatives, the weights of the first and the second ones");
+                                const Requirement& required, const CloudRule<dim>& rule, const Range& rows) {
     detail::check_rows(rows, cloud.size());
     smoothing.require_lengths_of(cloud.size());
     const std::vector<std::vector<int>> near = all_within_reach(cloud, smoothing, rows);
@@ -348,11 +348,29 @@ Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double,
     return operators;
 }
 
-/// The same for all particles of the cloud.
-template <int dim, class Rule>
+// Compiled once for each dimension, in operators.cpp.
+extern template Operators<double, 1> assemble(const Cloud<1>&, const Smoothing<double, 1>&,
+                                              const Requirement&, const CloudRule<1>&, const Range&);
+extern template Operators<double, 2> assemble(const Cloud<2>&, const Smoothing<double, 2>&,
+                                              const Requirement&, const CloudRule<2>&, const Range&);
+extern template Operators<double, 3> assemble(const Cloud<3>&, const Smoothing<double, 3>&,
+                                              const Requirement&, const CloudRule<3>&, const Range&);
+
+/// \param weights a pure function of a Neighbourhood, which returns Derivatives
+template <int dim, class Weights>
 Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
-                                const Requirement& required, const Rule& rule) {
-    return assemble(cloud, smoothing, required, rule, Range{0, cloud.size()});
+                                const Requirement& required, const Weights& weights, const Range& rows) {
+    static_assert(std::is_same_v<std::invoke_result_t<Weights, const Neighbourhood<double, dim>&>,
+                                 Derivatives<double, dim>>,
+                  "a rule on a cloud returns Derivatives, the weights of the first and the second ones");
+    return assemble(cloud, smoothing, required, CloudRule<dim>(weights), rows);
+}
+
+/// The same for all particles of the cloud.
+template <int dim, class Weights>
+Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                const Requirement& required, const Weights& weights) {
+    return assemble(cloud, smoothing, required, weights, Range{0, cloud.size()});
 }
 
 }  // namespace particles

@@ -3,6 +3,8 @@
 #include <Eigen/SparseCore>
 #include <memory>
 
+#include "base/vector_width.hpp"
+
 /// Thin faces over libraries that solve linear systems and eigenvalue problems.
 namespace solvers {
 

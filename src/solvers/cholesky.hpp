@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "base/vector_width.hpp"
+
 namespace solvers {
 
 /// Cholesky factors \f$A = L\,L^T\f$ of a small symmetric matrix, of 20 rows at most. They are compiled here,

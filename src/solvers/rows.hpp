@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/vector_width.hpp"
+
 namespace solvers {
 
 /// A sparse matrix, stored by rows.

@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <optional>
 
+#include "base/vector_width.hpp"
 #include "solvers/rows.hpp"
 
 namespace solvers {

@@ -3,6 +3,7 @@
 #include <Eigen/SparseLU>
 
 #include "base/quad.hpp"
+#include "base/vector_width.hpp"
 
 namespace solvers {
 

@@ -4,6 +4,7 @@
 #include <complex>
 #include <vector>
 
+#include "base/vector_width.hpp"
 #include "solvers/banded.hpp"
 
 namespace solvers {
