@@ -45,6 +45,7 @@ const std::vector<Formulation<Scalar>>& formulations();
 template <class Scalar>
 const Formulation<Scalar>& named(const std::vector<Formulation<Scalar>>& list, std::string_view wanted) {
     std::vector<std::pair<std::string, const Formulation<Scalar>*>> known;
+    known.reserve(list.size());
     for (const auto& formulation : list) known.emplace_back(formulation.name, &formulation);
     return *base::choose("formulation", wanted, known);
 }
