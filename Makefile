@@ -26,7 +26,8 @@ override BUILD := $(BUILD)/sanitize-$(subst $(comma),-,$(SANITIZE))
 export TSAN_OPTIONS := ignore_noninstrumented_modules=1
 endif
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-CPPFLAGS := -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
+# Eigen aligns memory as widely for every processor, so that programs may have other flags than the library.
+CPPFLAGS := -DEIGEN_MAX_ALIGN_BYTES=64 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16 -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lquadmath
 # clang++ needs the place of g++'s quadmath.h and libquadmath, and its -Wconversion includes signs.
 gcc = $(shell dirname "$$(g++ -print-libgcc-file-name)")

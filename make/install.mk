@@ -15,10 +15,9 @@ define install_below
 	    sed -n 's/^#define PARTICLE_METHODS_REGISTER //p')
 	sed -i "1i #define PARTICLE_METHODS_REGISTER $$register" "$$root/include/particle-methods/base/vector_width.hpp"
 	install -d "$$root/lib/pkgconfig" "$$root/lib/cmake/particle-methods"
-	{ printf '%s\n' "prefix=$${prefix// /\\ }" "register=$$register" "version=$(version)"; cat make/particle-methods.pc; } \
+	{ printf '%s\n' "prefix=$${prefix// /\\ }" "version=$(version)"; cat make/particle-methods.pc; } \
 	    > "$$root/lib/pkgconfig/particle-methods.pc"
-	{ echo "set(particle_methods_register $$register)"; cat make/particle-methods-config.cmake; } \
-	    > "$$root/lib/cmake/particle-methods/particle-methods-config.cmake"
+	cp make/particle-methods-config.cmake "$$root/lib/cmake/particle-methods"
 	{ echo "set(PACKAGE_VERSION $(version))"; cat make/particle-methods-config-version.cmake; } \
 	    > "$$root/lib/cmake/particle-methods/particle-methods-config-version.cmake"
 	echo "installed below $$root"

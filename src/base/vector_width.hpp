@@ -6,8 +6,11 @@
 #error "particle-methods is written in C++20: compile with -std=c++20"
 #endif
 
-// Bytes of a vector register, which Packs fill and to which Eigen aligns memory. Both must be alike in a program and in
-// the library that it links, whatever flags they were compiled with: `make install` writes the library's number above.
+// A program and the library that it links may be compiled for different vector registers. Eigen's memory must be aligned
+// alike in both, and Packs must be as wide; `make install` writes the library's width above.
+static_assert(
+    EIGEN_MAX_ALIGN_BYTES == 64 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
+    "compile with -DEIGEN_MAX_ALIGN_BYTES=64 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16, as pkg-config --cflags particle-methods says");
 #ifndef PARTICLE_METHODS_REGISTER
 #if defined(__AVX512F__)
 #define PARTICLE_METHODS_REGISTER 64
@@ -17,18 +20,10 @@
 #define PARTICLE_METHODS_REGISTER 16
 #endif
 #endif
-#define PARTICLE_METHODS_TEXT(number) #number
-#define PARTICLE_METHODS_FLAG(number) "compile with -DEIGEN_MAX_ALIGN_BYTES=" PARTICLE_METHODS_TEXT(number)
-static_assert(EIGEN_MAX_ALIGN_BYTES == PARTICLE_METHODS_REGISTER,
-              "particle-methods was compiled for other vector registers; " PARTICLE_METHODS_FLAG(
-                  PARTICLE_METHODS_REGISTER) ", as pkg-config --cflags particle-methods says");
 
 namespace base {
 
-/// Numbers in a vector register.
+/// Numbers in a vector register, whose bytes are PARTICLE_METHODS_REGISTER.
 inline constexpr int numbers_in_register = PARTICLE_METHODS_REGISTER / static_cast<int>(sizeof(double));
 
 }  // namespace base
-
-#undef PARTICLE_METHODS_TEXT
-#undef PARTICLE_METHODS_FLAG
