@@ -60,7 +60,7 @@ claims := $(BUILD)/libclaims.a
 programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter src/programs/%,$(sources)))
 tests := $(filter-out $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/%),$(call objects_in,tests/%))
 
-.PHONY: help setup build data figures check claims clean
+.PHONY: help setup build data figures check claims clean FORCE
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' Makefile make/*.mk
 
@@ -92,7 +92,6 @@ flags := $(CXX) $(CXXFLAGS) $(CPPFLAGS) $(LDLIBS)
 $(BUILD)/flags: FORCE $(filter setup,$(MAKECMDGOALS))
 	@mkdir -p $(@D)
 	[[ -f $@ && "$$(< $@)" == '$(flags)' ]] || echo '$(flags)' > $@
-FORCE:
 # With setup beside other targets, setup comes first.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
 $(goals) $(goals:%=%-build): | setup
