@@ -162,21 +162,32 @@ void for_each_pack(const Range& rows, const Together& together, const Alone& alo
     });
 }
 
+/// How far some rows of a matrix reach to either side of the diagonal, at most.
+template <class Scalar>
+Sides sides_of_rows(const Rows<Scalar>& A, const Range& rows) {
+    const int *const start = A.outerIndexPtr(), *const column = A.innerIndexPtr();
+    Sides sides{0, 0};
+    for (Index i = std::max<Index>(rows.first, 0); i < std::min(rows.last, A.rows()); ++i) {
+        sides.left = std::max<Index>(sides.left, i - column[start[i]]);
+        sides.right = std::max<Index>(sides.right, column[start[i + 1] - 1] - i);
+    }
+    return sides;
+}
+
 /// Some rows of a matrix by diagonals, \f$A_{i,i+a}\f$ for −left ≤ a ≤ right, so that the entries of a
 /// diagonal follow one another in memory. Entries that the matrix does not store are zero, and so are rows
 /// beyond it.
 template <class Scalar>
 class Diagonals {
   public:
-    Index left = 0, right = 0;
+    Index left, right;
 
     Diagonals(const Rows<Scalar>& A, const Range& rows) : first_(rows.first) {
         const int *const start = A.outerIndexPtr(), *const column = A.innerIndexPtr();
         const Range stored{std::max<Index>(rows.first, 0), std::min(rows.last, A.rows())};
-        for (Index i = stored.first; i < stored.last; ++i) {
-            left = std::max<Index>(left, i - column[start[i]]);
-            right = std::max<Index>(right, column[start[i + 1] - 1] - i);
-        }
+        const Sides sides = sides_of_rows(A, rows);
+        left = sides.left;
+        right = sides.right;
         entries_.setZero(rows.size(), left + 1 + right);
         for (Index i = stored.first; i < stored.last; ++i) {
             Scalar* const row = entries_.data() + (i - first_);
@@ -219,14 +230,18 @@ Rows<Scalar> product(const Rows<Scalar>& A, const Rows<Scalar>& B) {
     using Block = Eigen::Array<Scalar, block, 1>;
     for_each_index((N + tile - 1) / tile, [&](Index t) {
         const Range rows{t * tile, (t + 1) * tile};
-        const Diagonals<Scalar> of_A(A, rows), of_B(B, {rows.first - of_A.left, rows.last + of_A.right});
-        const Index left = of_A.left + of_B.left, right = of_A.right + of_B.right;
+        const Sides reach = sides_of_rows(A, rows);
+        const Diagonals<Scalar> of_B(B, {rows.first - reach.left, rows.last + reach.right});
+        std::optional<Diagonals<Scalar>> others;
+        if (&A != &B) others.emplace(A, rows);
+        const Diagonals<Scalar>& of_A = others ? *others : of_B;
+        const Index left = reach.left + of_B.left, right = reach.right + of_B.right;
         std::vector<Block> sums(static_cast<std::size_t>(left + 1 + right));
         for (Index b = rows.first; b < std::min(rows.last, N); b += block) {
             for (Index q = -left; q <= right; ++q) {
                 Block sum = Block::Zero();
-                const Index least = std::max(-of_A.left, q - of_B.right),
-                            most = std::min(of_A.right, q + of_B.left);
+                const Index least = std::max(-reach.left, q - of_B.right),
+                            most = std::min(reach.right, q + of_B.left);
                 for (Index a = least; a <= most; ++a)
                     sum += of_A.template entries<block>(b, a) * of_B.template entries<block>(b + a, q - a);
                 sums[static_cast<std::size_t>(left + q)] = sum;

@@ -116,9 +116,7 @@ void evaluate(const TruncatedGaussian<dim>& kernel, const Offsets<Scalar, dim>& 
     const Column<Scalar> q = squared_lengths(s);
     W = kernel.at(q);
     const Scalar edge = kernel.template edge<Scalar>(), end = Scalar(kernel.rho()) * Scalar(kernel.rho());
-    DW.resize(s.rows(), dim);
-    for (Index axis = 0; axis < dim; ++axis)
-        DW.col(axis) = (q < end).select(Scalar(-2) * s.col(axis) * (W + edge), Scalar(0));
+    DW = s.colwise() * (q < end).select(Scalar(-2) * (W + edge), Scalar(0)).eval();
 }
 
 }  // namespace particles
