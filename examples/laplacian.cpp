@@ -1,5 +1,6 @@
-/// The Laplacian of a function at irregular particles in space, by the SSPH basis of Batra and Zhang (2008), Section 2,
-/// with cubic monomials. Its error falls with the second power of the particles' distance, on the boundary as inside.
+/// The Laplacian of a function at irregular particles in space, by the SSPH basis of Batra and Zhang (2008),
+/// Section 2, with cubic monomials. Its error falls with the second power of the particles' distance, on the
+/// boundary as inside.
 ///
 /// Build: make. The exit code is 0 if it does.
 #include <cmath>

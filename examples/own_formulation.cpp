@@ -1,7 +1,7 @@
-/// Derivatives of a wave in the plane by a formulation of one's own: a weighted least-squares fit of quadratic
-/// polynomials. Each particle has its own smoothing length, since the particles lie closer together at one end of the
-/// square. The errors of the slope fall with the second power of the particles' distance, those of the curvature with the
-/// first.
+/// Derivatives of a wave in the plane by a formulation of one's own: a weighted least-squares fit of
+/// quadratic polynomials. Each particle has its own smoothing length, since the particles lie closer together
+/// at one end of the square. The errors of the slope fall with the second power of the particles' distance,
+/// those of the curvature with the first.
 ///
 /// Build: make. The exit code is 0 if they do.
 #include <Eigen/LU>
@@ -30,8 +30,8 @@ Points<2> graded(int n) {
     return x;
 }
 
-/// The weights that give the derivatives of the polynomial nearest to the values, all differences weighed with W V. Offsets
-/// are in units of h, and so are the weights.
+/// The weights that give the derivatives of the polynomial nearest to the values, all differences weighed
+/// with W V. Offsets are in units of h, and so are the weights.
 Derivatives<double, 2> least_squares(const Neighbourhood<double, 2>& near) {
     const auto &x = near.r.col(0), &y = near.r.col(1);
     Eigen::MatrixXd P(near.r.rows(), 5);

@@ -34,8 +34,8 @@ struct Formulation {
     }
 };
 
-/// All formulations, in the paper's order. Compiled once for each precision, like the numerical tests: in_double.cpp,
-/// in_long_double.cpp, in_quad.cpp.
+/// All formulations, in the paper's order. Compiled once for each precision, like the numerical tests:
+/// in_double.cpp, in_long_double.cpp, in_quad.cpp.
 /// \tparam Scalar double, long double or base::Quad
 template <class Scalar = double>
 const std::vector<Formulation<Scalar>>& formulations();

@@ -5,8 +5,8 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "base/quad.hpp"
 
-// A header of its own, since base::Quad needs a library and takes long to compile. Compiled once, in operators.cpp
-// and in_quad.cpp.
+// A header of its own, since base::Quad needs a library and takes long to compile. Compiled once, in
+// operators.cpp and in_quad.cpp.
 
 namespace particles {
 

@@ -9,8 +9,8 @@
 namespace base {
 
 /// Runs `work(k)` for k = 0 … count − 1 in parallel. The calls must not depend on one another. If calls fail,
-/// the exception of the one with the smallest k is thrown, on any number of threads; those with a larger k need not
-/// run.
+/// the exception of the one with the smallest k is thrown, on any number of threads; those with a larger k
+/// need not run.
 template <class Work>
 void for_each_index(Index count, const Work& work) {
     std::exception_ptr failure;

@@ -6,8 +6,8 @@
 #error "particle-methods is written in C++20: compile with -std=c++20"
 #endif
 
-// A program and the library that it links may be compiled for different vector registers. Eigen's memory must be aligned
-// alike in both, and Packs must be as wide; `make install` writes the library's width above.
+// A program and the library that it links may be compiled for different vector registers. Eigen's memory must
+// be aligned alike in both, and Packs must be as wide; `make install` writes the library's width above.
 static_assert(
     EIGEN_MAX_ALIGN_BYTES == 64 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
     "compile with -DEIGEN_MAX_ALIGN_BYTES=64 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16, as pkg-config --cflags particle-methods says");

@@ -66,8 +66,9 @@ std::vector<Index> loneliest(const Column<double>& distance) {
     return all;
 }
 
-/// "--smoothing-from 0.053": one length for the whole cloud, with which each particle has as many neighbours as there
-/// are monomials. Empty if the cloud is graded, so that this is far too large for some, or if it is not enough.
+/// "--smoothing-from 0.053": one length for the whole cloud, with which each particle has as many neighbours
+/// as there are monomials. Empty if the cloud is graded, so that this is far too large for some, or if it is
+/// not enough.
 template <int m, int dim>
 std::string smoothing_remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place) {
     constexpr Index n = terms<dim, m>;

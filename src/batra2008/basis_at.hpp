@@ -8,7 +8,8 @@
 /// dimensions and monomials of degree 1 to 3.
 namespace batra2008::ssph_basis {
 
-/// Whether the derivatives of the basis functions, Basis::DK(), will be asked: they need the kernel's gradient.
+/// Whether the derivatives of the basis functions, Basis::DK(), will be asked: they need the kernel's
+/// gradient.
 enum class Slopes { none, known };
 
 /// The basis from some particles of a cloud.

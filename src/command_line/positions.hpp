@@ -30,9 +30,10 @@ struct NamedFile {
 /// FILE, or FILE:COLUMN. A file whose name has a colon is taken whole.
 NamedFile named_file(const std::string& text);
 
-/// The unit of smoothing lengths that an option names: a number [length]; a name of particles::spacing_named(); or a
-/// file with a number for each particle in their order, FILE or FILE:COLUMN with the column's name in the header or its
-/// number from 1. What has a slash, or begins with a letter and has a dot, is a file.
+/// The unit of smoothing lengths that an option names: a number [length]; a name of
+/// particles::spacing_named(); or a file with a number for each particle in their order, FILE or FILE:COLUMN
+/// with the column's name in the header or its number from 1. What has a slash, or begins with a letter and
+/// has a dot, is a file.
 /// \throws base::InvalidInput for another name, and for a number that is not positive, naming file and line
 /// \throws base::FailedComputation where the file cannot be read
 particles::Spacing spacing_from(const std::string& text);

@@ -102,8 +102,8 @@ void set_row(Rows<Scalar>& D, Index row, const Neighbours& near, Index own, cons
     if (!isfinite(values[own])) throw WeightsNotFinite();
 }
 
-/// The same for those particles of a Pack that have a row. Weights of particles that a lane does not reach are
-/// skipped. Nothing is written where a row is not finite.
+/// The same for those particles of a Pack that have a row. Weights of particles that a lane does not reach
+/// are skipped. Nothing is written where a row is not finite.
 /// \param i first particle of the Pack \param near neighbours of each of its particles
 /// \param rows particles that have a row
 /// \throws WeightsNotFinite for any lane

@@ -26,9 +26,9 @@ using base::Pack;
 
 /// \defgroup kernels Kernels A kernel is written in the scaled offset s = (x − x_i)/h, and for h = 1. On a
 /// line s has a sign: \f$W_i(x) = W(s)/h\f$, \f$DW_i(x) = W'(s)/h^2\f$, \f$D^2W_i(x) = W''(s)/h^3\f$. In
-/// `dim` = λ = 2 or 3 dimensions s is the length of the offset: \f$W_i(x) = W(s)/h^\lambda\f$, and W' is the slope
-/// along the radius. Each kernel has unit integral, is even, and vanishes for |s| ≥ support(); the Gaussian is
-/// negligible there. The scalar may be any real type, or a Pack.
+/// `dim` = λ = 2 or 3 dimensions s is the length of the offset: \f$W_i(x) = W(s)/h^\lambda\f$, and W' is the
+/// slope along the radius. Each kernel has unit integral, is even, and vanishes for |s| ≥ support(); the
+/// Gaussian is negligible there. The scalar may be any real type, or a Pack.
 /// @{
 
 namespace detail {

@@ -5,8 +5,8 @@
 
 namespace particles {
 
-/// A multi-index a: the exponents of a monomial \f$r^a\f$, or the numbers of derivatives \f$\partial^a\f$, one
-/// for each coordinate.
+/// A multi-index a: the exponents of a monomial \f$r^a\f$, or the numbers of derivatives \f$\partial^a\f$,
+/// one for each coordinate.
 template <int dim>
 using Exponents = std::array<int, dim>;
 

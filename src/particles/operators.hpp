@@ -48,8 +48,8 @@ struct Operators<Scalar, 1> {
     Operator<Scalar> D, D2;
 };
 
-/// Weights on \f$B(x_j) - B(x_i)\f$ of a formulation that gives both derivatives of a neighbourhood; columns in
-/// the order of the operators.
+/// Weights on \f$B(x_j) - B(x_i)\f$ of a formulation that gives both derivatives of a neighbourhood; columns
+/// in the order of the operators.
 template <class Scalar, int dim = 1>
 struct Derivatives {
     Offsets<Scalar, dim> first;                       ///< in units of 1/h
@@ -94,8 +94,8 @@ Column<Scalar> apply(const Operator<Scalar>& D, const Column<Scalar>& B) {
 
 /// Sets each diagonal entry to minus the sum of the row's others, \f$D_{ii} = -\sum_{j \ne i} D_{ij}\f$: the
 /// row then annihilates constants to the last bit, whatever the round-off of its weights.
-/// \throws InvalidInput for a range of rows, whose diagonal is not known, and for a row that stores no diagonal
-///         entry
+/// \throws InvalidInput for a range of rows, whose diagonal is not known, and for a row that stores no
+///         diagonal entry
 template <class Scalar>
 void annihilate_constants(Operator<Scalar>& D) {
     if (D.rows() != D.cols())
@@ -177,8 +177,8 @@ inline void check_rows(const Range& rows, Index N) {
                            std::to_string(rows.last - 1) + " among " + std::to_string(N) + " particles");
 }
 
-/// A rule from a function of a Neighbourhood of any scalar that returns Derivatives, or the weights of the first
-/// derivative alone.
+/// A rule from a function of a Neighbourhood of any scalar that returns Derivatives, or the weights of the
+/// first derivative alone.
 template <class Scalar, class Function>
 Rule<Scalar> rule_of(const Function& function) {
     const auto both = [function]<class Number>(const Neighbourhood<Number>& near) -> Derivatives<Number> {
@@ -201,12 +201,12 @@ Rule<Scalar> rule_of(const Function& function) {
 ///
 /// Particles are independent of one another, so that they are computed in parallel, with the same bytes on
 /// any number of threads and whatever other rows are computed. In double precision, a Pack of consecutive
-/// particles is computed at once where all its neighbourhoods lie on the line; the others, and those of a Pack
-/// that fails, one by one.
+/// particles is computed at once where all its neighbourhoods lie on the line; the others, and those of a
+/// Pack that fails, one by one.
 /// \param rows particles that have a row; a rule that has D² from D needs all
 /// \throws InvalidInput unless there is one smoothing length, or one for each particle
-/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite, naming
-///         the formulation, the particle, its position, its neighbours and a remedy
+/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite,
+///         naming the formulation, the particle, its position, its neighbours and a remedy
 template <class Scalar>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                            const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
@@ -272,8 +272,8 @@ extern template Operators<long double> assemble(const Line<long double>&, const 
                                                 const Requirement&, const Rule<long double>&, const Range&);
 
 /// The same for all particles of the line.
-/// \param weights a pure function of a Neighbourhood that returns Derivatives. If it accepts a Neighbourhood of
-///        Packs as well, entries with W = DW = V = 0 must not count
+/// \param weights a pure function of a Neighbourhood that returns Derivatives. If it accepts a Neighbourhood
+///        of Packs as well, entries with W = DW = V = 0 must not count
 template <class Scalar, class Weights>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                            const Requirement& required, const Weights& weights) {
@@ -301,8 +301,8 @@ using CloudRule = std::function<Derivatives<double, dim>(const Neighbourhood<dou
 /// that `rule` gives for its neighbourhood, columns in increasing order.
 /// \param rows particles that have a row
 /// \throws InvalidInput unless there is one smoothing length, or one for each particle
-/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite, naming
-///         the formulation, the particle, its position, its neighbours and a remedy
+/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite,
+///         naming the formulation, the particle, its position, its neighbours and a remedy
 template <int dim>
 Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
                                 const Requirement& required, const CloudRule<dim>& rule, const Range& rows) {

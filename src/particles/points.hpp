@@ -17,8 +17,8 @@ using base::shown;
 /// Largest number of neighbours of a Pack, whose columns lie on the stack.
 inline constexpr int most_in_pack = 64;
 
-/// Largest number of neighbours that is known when compiling. It has a name, since Eigen::Dynamic in a signature would
-/// make a function local to each file.
+/// Largest number of neighbours that is known when compiling. It has a name, since Eigen::Dynamic in a
+/// signature would make a function local to each file.
 template <class Scalar>
 inline constexpr int most_neighbours = std::is_same_v<Scalar, Pack> ? most_in_pack : Eigen::Dynamic;
 

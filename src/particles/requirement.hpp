@@ -47,8 +47,8 @@ std::string neighbours_in_words(const Points& points, const Smoothing<Scalar, di
            shown(static_cast<double>(support<Scalar>(smoothing.kernel())), 3) + "h";
 }
 
-/// Whether a formulation has enough neighbours that determine its weights at each particle, or at ten thousand
-/// of them. The ends of a line come first, since they fail most often.
+/// Whether a formulation has enough neighbours that determine its weights at each particle, or at ten
+/// thousand of them. The ends of a line come first, since they fail most often.
 /// \param weights a function of a Neighbourhood
 template <class Points, class Scalar, int dim, class Weights>
 bool determined(const Points& points, const Smoothing<Scalar, dim>& smoothing, const Requirement& required,
@@ -67,9 +67,9 @@ bool determined(const Points& points, const Smoothing<Scalar, dim>& smoothing, c
     return true;
 }
 
-/// "--smoothing 1.6": the least smoothing length, in steps of a tenth of it, with which all particles have what
-/// the formulation requires; empty if none is found, or if the lengths of few particles only are far
-/// too small. It is said as h/δ, where it was given so; else as the length [length], or in multiples of those
+/// "--smoothing 1.6": the least smoothing length, in steps of a tenth of it, with which all particles have
+/// what the formulation requires; empty if none is found, or if the lengths of few particles only are far too
+/// small. It is said as h/δ, where it was given so; else as the length [length], or in multiples of those
 /// that the particles have.
 /// \param weights a function of a Neighbourhood
 template <class Points, class Scalar, int dim, class Weights>
@@ -101,8 +101,8 @@ std::string other_smoothing(const Points& points, const Smoothing<Scalar, dim>& 
     return "";
 }
 
-/// What helps where particle i has too few neighbours, or neighbours that do not determine the weights: the end
-/// of a sentence. \param weights a function of a Neighbourhood
+/// What helps where particle i has too few neighbours, or neighbours that do not determine the weights: the
+/// end of a sentence. \param weights a function of a Neighbourhood
 template <class Points, class Scalar, int dim, class Weights>
 std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index i,
                    const Requirement& required, const Weights& weights) {

@@ -11,8 +11,8 @@ namespace report {
 void check_writable(const std::string& path);
 
 /// Writes a text to a file as a whole: to a temporary file beside it, which is renamed when it is complete.
-/// Until then an existing file stays as it is. Devices and pipes are appended to instead, and open files (/dev/fd/3) are
-/// written where they stand.
+/// Until then an existing file stays as it is. Devices and pipes are appended to instead, and open files
+/// (/dev/fd/3) are written where they stand.
 /// \param path as above; of a link to an existing file, that file is replaced
 /// \throws base::FailedComputation naming the file and the system's reason
 void write_whole(const std::string& path, const std::string& text);

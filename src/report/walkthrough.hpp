@@ -18,7 +18,8 @@ struct Reproduction {
 /// \throws base::FailedComputation where its verdicts are missing
 std::vector<Reproduction> reproductions();
 
-/// Every numbered equation, with its section, its tests and the claims about it: a page in Doxygen's Markdown.
+/// Every numbered equation, with its section, its tests and the claims about it: a page in Doxygen's
+/// Markdown.
 std::string equation_page(const std::vector<Reproduction>& all);
 
 /// The ledger of claims: what each says, its verdict, and what was measured.

@@ -11,9 +11,10 @@ namespace solvers {
 /// LU factors of a matrix whose entries lie near the diagonal, with row exchanges, after each row is scaled
 /// to a largest entry of 1: rows of boundary conditions and of equilibrium differ by powers of δ.
 ///
-/// Double precision takes LAPACK's banded factorisation. Long double and quad take Eigen's sparse one in quadruple
-/// precision, which keeps the band when the unknowns keep their order. The result has the same bytes on any number of threads if BLAS
-/// uses one thread (see use_one_blas_thread()); more threads would not speed up a narrow band.
+/// Double precision takes LAPACK's banded factorisation. Long double and quad take Eigen's sparse one in
+/// quadruple precision, which keeps the band when the unknowns keep their order. The result has the same
+/// bytes on any number of threads if BLAS uses one thread (see use_one_blas_thread()); more threads would not
+/// speed up a narrow band.
 /// \tparam Scalar double, long double or base::Quad
 template <class Scalar = double>
 class BandedFactors {

@@ -17,7 +17,8 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// \throws base::InvalidInput for more entries than an int can count
 SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknowns);
 
-/// Writes a row of such a matrix: the factors of the unknowns at some points. Other entries keep their values.
+/// Writes a row of such a matrix: the factors of the unknowns at some points. Other entries keep their
+/// values.
 /// \param points in increasing order, neighbours of the row's point
 /// \param factors for each unknown an array with a number for each of the points
 template <class... Factors>

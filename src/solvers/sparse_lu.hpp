@@ -7,8 +7,8 @@
 
 namespace solvers {
 
-/// LU factors of a sparse matrix in its own order of unknowns, by Eigen. They are compiled in a file of their own,
-/// sparse_lu.cpp, since Eigen's factorisation takes long to compile.
+/// LU factors of a sparse matrix in its own order of unknowns, by Eigen. They are compiled in a file of their
+/// own, sparse_lu.cpp, since Eigen's factorisation takes long to compile.
 class SparseLU {
   public:
     using Matrix = Eigen::SparseMatrix<base::Quad>;

@@ -10,8 +10,8 @@ using support::same_bytes;
 
 namespace {
 
-/// Weighted least squares with the monomials of degree 1 and 2, in any dimension: a formulation of this test's
-/// own, which uses all that a neighbourhood holds but DW.
+/// Weighted least squares with the monomials of degree 1 and 2, in any dimension: a formulation of this
+/// test's own, which uses all that a neighbourhood holds but DW.
 struct LeastSquares {
     template <int dim>
     Derivatives<double, dim> operator()(const Neighbourhood<double, dim>& near) const {
