@@ -104,7 +104,10 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
         if (determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h)))
             return "try --scaling " + base::shown(scaling) + (larger_h.empty() ? "" : " or " + larger_h);
     }
-    return larger_h.empty() ? "take other particles" : "try " + larger_h;
+    if (!larger_h.empty()) return "try " + larger_h;
+    const bool far = ((x - cloud.x().rowwise().maxCoeff()).array() > cloud.spacing()).any() ||
+                     ((cloud.x().rowwise().minCoeff() - x).array() > cloud.spacing()).any();
+    return far ? "take a place nearer to the particles" : "take other particles";
 }
 
 /// "ssph_basis: at (0.1, 0.2) there are 5 particles within 2h = 0.1 for the 6 monomials of degree 2; try

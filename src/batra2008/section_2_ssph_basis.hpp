@@ -17,6 +17,7 @@
 #include "particles/neighbourhood.hpp"
 #include "particles/operators.hpp"
 #include "solvers/cholesky.hpp"
+#include "solvers/condition.hpp"
 
 /// Batra and Zhang (2008), section by section.
 namespace batra2008 {
@@ -300,6 +301,8 @@ class Basis {
     /// Smallest pivot of C, relative to the diagonal: with a smaller one a second derivative loses half of
     /// its digits.
     static constexpr double singular = 1e-10;
+    /// Smallest sum of W whose inverse, over the smallest pivot, does not overflow.
+    static constexpr double least_sum = 1e-150;
 
     /// \f$P\,a\f$ for each particle.
     [[nodiscard]] Column<Scalar> P_times(const Vector<Scalar>& a) const {
@@ -332,11 +335,11 @@ Basis<dim, m, Scalar>::Basis(Neighbourhood<Scalar, dim> near, std::vector<int> p
       D_(D<Scalar>(H_, near_.W)),
       C_(C<Scalar>(D_, H_)),
       factors_(C_) {
+    if (!(C_(0, 0) > least_sum)) throw particles::SingularNeighbourhood("the kernel's values underflow");
     // A pivot that vanishes beside its diagonal entry belongs to a monomial that the earlier ones determine.
     const auto pivots = factors_.L().diagonal().array().square();
-    const Scalar least = (pivots / C_.diagonal().array()).minCoeff();
-    if (!factors_.succeeded() || !(least > singular))
-        throw particles::SingularNeighbourhood(least > 0 ? static_cast<double>(least) : 0);
+    if (!factors_.succeeded() || !(pivots > singular * C_.diagonal().array()).all())
+        throw particles::SingularNeighbourhood(solvers::reciprocal_condition(C_.template cast<double>()));
 }
 
 /// The basis functions: the weights on the values at the particles that give Q. \defeq{B2.11}

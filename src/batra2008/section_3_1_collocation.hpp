@@ -174,10 +174,12 @@ System system_on(const std::vector<std::vector<int>>& near, const Problem& probl
 /// \tparam m degree of the monomials, 2 or 3
 /// \param h smoothing length of each particle [length]
 /// \param small largest number of particles for which those equations are left out
+/// \throws base::InvalidInput as elastostatics::checked()
 /// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
-System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
+System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               Index small = solvers::small_system / 2) {
+    problem = elastostatics::checked(std::move(problem), cloud);
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
     base::for_each_index(cloud.size(), [&](Index I) {
         near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * h[I]);

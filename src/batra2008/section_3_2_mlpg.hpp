@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "batra2008/section_3_1_collocation.hpp"
@@ -422,10 +423,12 @@ struct WeakForm {
 /// The system \eq{B3.22} of a problem.
 /// \tparam m degree of the monomials, 1 to 3
 /// \param h smoothing length of each particle [length]
+/// \throws base::InvalidInput as elastostatics::checked()
 /// \throws base::FailedComputation as ssph_basis::basis_at()
 template <int m>
-System system(const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
+System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               const WeakForm& form) {
+    problem = elastostatics::checked(std::move(problem), cloud);
     const particles::Region region = elastostatics::region(problem);
     const Eigen::Matrix3d D = elastostatics::D(problem.material);
     const Kernel test(form.test_scaling);

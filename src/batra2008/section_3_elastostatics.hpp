@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -10,8 +11,10 @@
 
 #include "base/choose.hpp"
 #include "base/text.hpp"
+#include "particles/boundary_particles.hpp"
 #include "particles/cloud.hpp"
 #include "particles/region.hpp"
+#include "particles/region_check.hpp"
 #include "particles/truncated_gaussian.hpp"
 #include "solvers/sparse.hpp"
 
@@ -176,10 +179,10 @@ struct Corner {
 /// A boundary-value problem.
 struct Problem {
     Material material;
-    std::vector<Side> sides;      ///< anticlockwise
+    std::vector<Side> sides;      ///< in any order
     std::vector<Corner> corners;  ///< chosen conditions; see conditions_at() for other corners
     Exact exact;
-    double size;  ///< a length of the body
+    double size;  ///< a length of the body, beside which 1e-8 of it does not count
 };
 
 /// The region that a problem's sides enclose.
@@ -189,13 +192,20 @@ inline particles::Region region(const Problem& problem) {
     return curves;
 }
 
-/// \throws base::InvalidInput if a particle lies outside the body; it names the first
-inline void check_inside(const particles::Cloud<2>& cloud, const Problem& problem) {
-    const particles::Region curves = region(problem);
-    for (Index I = 0; I < cloud.size(); ++I)
-        if (!particles::contains(curves, cloud.x().col(I), problem.size))
-            throw base::InvalidInput("particle " + std::to_string(I) + " at " +
-                                     particles::shown_point(cloud.x().col(I)) + " lies outside the body");
+/// A problem that its particles can solve: with the body to the left of each side.
+/// \throws base::InvalidInput as particles::checked() for the boundary and particles::check_particles(), for a
+///         material without meaning, and for a corner at which no sides meet
+inline Problem checked(Problem problem, const Cloud<2>& cloud) {
+    problem.material = checked(problem.material);
+    const particles::Region boundary = particles::checked(region(problem), problem.size);
+    for (std::size_t k = 0; k < boundary.size(); ++k) problem.sides[k].curve = boundary[k];
+    for (const Corner& corner : problem.corners)
+        if (std::none_of(boundary.begin(), boundary.end(), [&](const particles::Curve& curve) {
+                return particles::lies_at_end(curve, corner.at, problem.size);
+            }))
+            throw base::InvalidInput("no sides meet at the corner " + particles::shown_point(corner.at));
+    particles::check_particles(cloud, boundary, problem.size);
+    return problem;
 }
 
 /// The two conditions at a boundary particle; none inside. Where sides meet without a chosen condition, the
@@ -203,7 +213,7 @@ inline void check_inside(const particles::Cloud<2>& cloud, const Problem& proble
 /// side whose normal is nearer to its axis.
 inline std::vector<Condition> conditions_at(const Problem& problem, const Point<2>& x) {
     for (const Corner& corner : problem.corners)
-        if ((corner.at - x).norm() <= 1e-9 * problem.size)
+        if ((corner.at - x).norm() <= particles::negligible * problem.size)
             return {corner.conditions.begin(), corner.conditions.end()};
     std::vector<Condition> both;
     for (const Side& side : problem.sides) {

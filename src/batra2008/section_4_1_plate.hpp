@@ -165,7 +165,7 @@ inline double largest_error_u2(const Cloud<2>& cloud, const example_problems::So
     double error = 0, largest = 0;
     for (Index I = 0; I < cloud.size(); ++I) {
         const Point<2> x = cloud.x().col(I);
-        if (x[1] > 1e-9 * L2) continue;
+        if (!particles::lies_on(problem.sides.front().curve, x, problem.size)) continue;
         const double exact = problem.exact.u(x)[1];
         error = std::max(error, std::abs(example_problems::state_at(cloud, solution, x).u[1] - exact));
         largest = std::max(largest, std::abs(exact));

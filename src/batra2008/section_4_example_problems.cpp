@@ -43,7 +43,6 @@ System system(const Problem& problem, const Cloud<2>& cloud, const Discretisatio
 }
 
 Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisation& how) {
-    elastostatics::check_inside(cloud, problem);
     return {how, problem.material, smoothing_lengths(cloud, how), solved(system(problem, cloud, how))};
 }
 

@@ -98,6 +98,9 @@ class ExampleTable {
                  const std::string& about, const std::vector<report::ColumnHead>& layout,
                  const std::vector<report::ColumnHead>& errors);
 
+    /// Adds a line above the table.
+    void add_comment(const std::string& words) { table_.comments.push_back(words); }
+
     /// Solves a problem on a cloud, and adds its rows.
     /// \param layout cells of the columns that name the particles \param places those of `--states`
     /// \param errors cells of the columns of the errors

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "base/errors.hpp"
 #include "base/pack.hpp"
@@ -19,6 +20,7 @@ using base::shown;
 /// The particles of a neighbourhood do not determine the unknowns of a formulation.
 class SingularNeighbourhood : public FailedComputation {
   public:
+    explicit SingularNeighbourhood(const std::string& why) : FailedComputation(why) {}
     /// \param reciprocal_condition NaN counts as 0
     explicit SingularNeighbourhood(double reciprocal_condition)
         : FailedComputation("the local system is singular (reciprocal condition " +

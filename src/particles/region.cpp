@@ -9,9 +9,6 @@ namespace particles {
 
 namespace {
 
-/// Relative tolerance below which a length counts as zero: positions may come from a file with ten digits.
-constexpr double negligible = 1e-8;
-
 Point<2> direction(double angle) {
     return {std::cos(angle), std::sin(angle)};
 }
@@ -39,29 +36,40 @@ std::array<Point<2>, 2> ends(const Curve& curve) {
     return {centre + radius * direction(from), centre + radius * direction(to)};
 }
 
-bool lies_on(const Curve& curve, const Point<2>& x, double size) {
-    const double slack = negligible * size;
-    for (const Point<2>& end : ends(curve))
-        if ((x - end).norm() <= slack) return true;
+Point<2> closest(const Curve& curve, const Point<2>& x) {
     if (const auto* side = std::get_if<Segment>(&curve)) {
         const Point<2> way = side->to - side->from;
-        const double along = (x - side->from).dot(way.normalized());
-        return std::abs((x - side->from).dot(outward(*side))) <= slack && along >= 0 && along <= way.norm();
+        return side->from + std::clamp((x - side->from).dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
     }
     const auto& [centre, radius, from, to] = std::get<Arc>(curve);
-    if (std::abs((x - centre).norm() - radius) > slack) return false;
     const double turn = 2 * std::acos(-1.0);
     const double angle = angle_of(x - centre);
-    return angle - from - turn * std::floor((angle - from) / turn) <= to - from;
+    const double after = angle - from - turn * std::floor((angle - from) / turn);
+    if (after <= to - from) return centre + radius * direction(angle);
+    const auto [first, last] = ends(curve);
+    return (x - first).norm() < (x - last).norm() ? first : last;
+}
+
+bool lies_on(const Curve& curve, const Point<2>& x, double size) {
+    return (x - closest(curve, x)).norm() <= negligible * size;
+}
+
+bool lies_at_end(const Curve& curve, const Point<2>& x, double size) {
+    const auto both = ends(curve);
+    return std::any_of(both.begin(), both.end(),
+                       [&](const Point<2>& end) { return (end - x).norm() <= negligible * size; });
+}
+
+bool lies_beyond(const Curve& curve, const Point<2>& x, double size) {
+    if (const auto* side = std::get_if<Segment>(&curve))
+        return (x - side->from).dot(outward(*side)) > negligible * size;
+    const Arc& hole = std::get<Arc>(curve);
+    return (x - hole.centre).norm() < hole.radius - negligible * size;
 }
 
 bool contains(const Region& region, const Point<2>& x, double size) {
-    return std::all_of(region.begin(), region.end(), [&](const Curve& curve) {
-        if (const auto* side = std::get_if<Segment>(&curve))
-            return (x - side->from).dot(outward(*side)) <= negligible * size;
-        const Arc& hole = std::get<Arc>(curve);
-        return (x - hole.centre).norm() >= hole.radius - negligible * size;
-    });
+    return std::none_of(region.begin(), region.end(),
+                        [&](const Curve& curve) { return lies_beyond(curve, x, size); });
 }
 
 namespace {
@@ -213,17 +221,23 @@ std::vector<QuadraturePoint> boundary_rule(const Curve& curve, const Point<2>& x
     const double away = (x - centre).norm();
     const double cosine = (radius * radius + away * away - reach * reach) / (2 * radius * away);
     if (cosine >= 1) return rule;
-    const double half = std::acos(std::max(cosine, -1.0));
-    const double turn = 2 * std::acos(-1.0);
+    const auto add = [&, radius = radius, centre = centre](double from, double to) {
+        if (to - from <= negligible * reach / radius) return;
+        const GaussRule gauss = gauss_rule(points, from, to);
+        for (Index k = 0; k < points; ++k) {
+            const Point<2> outward_of_hole = direction(gauss.x[k]);
+            rule.push_back({centre + radius * outward_of_hole, gauss.w[k] * radius, -outward_of_hole});
+        }
+    };
+    if (!(cosine > -1)) {  // all of the circle lies in the disc
+        add(first, last);
+        return rule;
+    }
+    const double half = std::acos(cosine), turn = 2 * std::acos(-1.0);
     double middle = angle_of(x - centre);
     middle -= turn * std::round((middle - (first + last) / 2) / turn);
-    const double from = std::max(middle - half, first), to = std::min(middle + half, last);
-    if (to - from <= negligible * reach / radius) return rule;
-    const GaussRule gauss = gauss_rule(points, from, to);
-    for (Index k = 0; k < points; ++k) {
-        const Point<2> outward_of_hole = direction(gauss.x[k]);
-        rule.push_back({centre + radius * outward_of_hole, gauss.w[k] * radius, -outward_of_hole});
-    }
+    for (const double angle : {middle - turn, middle, middle + turn})
+        add(std::max(angle - half, first), std::min(angle + half, last));
     return rule;
 }
 

@@ -28,6 +28,10 @@ using Curve = std::variant<Segment, Arc>;
 /// A convex polygon with circular holes, which may cut its corners and sides.
 using Region = std::vector<Curve>;
 
+/// Relative tolerance below which a length counts as zero beside the size of a body: positions may come from a
+/// file with ten digits.
+constexpr double negligible = 1e-8;
+
 /// A point of a quadrature rule over an area or along a boundary.
 struct QuadraturePoint {
     Point<2> x;
@@ -41,8 +45,17 @@ Point<2> normal_at(const Curve& curve, const Point<2>& x);
 /// Both ends of a part of the boundary.
 std::array<Point<2>, 2> ends(const Curve& curve);
 
-/// Does a place lie on a part of the boundary, its ends included? \param size a length that counts as large
+/// The point of a part of the boundary that is nearest to a place.
+Point<2> closest(const Curve& curve, const Point<2>& x);
+
+/// Does a place lie on a part of the boundary, its ends included? \param size a length of the body
 bool lies_on(const Curve& curve, const Point<2>& x, double size);
+
+/// Is a place one of the ends of a part of the boundary? \param size a length of the body
+bool lies_at_end(const Curve& curve, const Point<2>& x, double size);
+
+/// Does a place lie beyond a side's line, or in a hole? \param size a length of the body
+bool lies_beyond(const Curve& curve, const Point<2>& x, double size);
 
 /// Does a place lie in the region or on its boundary?
 bool contains(const Region& region, const Point<2>& x, double size);

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "batra2008/section_4_2_hole.hpp"
@@ -24,13 +26,15 @@ struct Options : command_line::ExampleOptions {
     std::vector<std::string> layouts{"graded-188-11"};
     std::vector<double> radii{0.3};
     unsigned long draw = 1, draws = 1;
+    double snap = 0;
 };
 
 /// The particles around the hole.
 struct Layout {
     std::string name;
     Points<2> x;
-    bool drawn;  ///< whether another draw gives another layout
+    bool drawn;           ///< whether another draw gives another layout
+    std::string about{};  ///< what was done to the particles of a file
 };
 
 /// The two counts in the name of a layout, such as polar-16x4; nothing for another name.
@@ -48,9 +52,21 @@ std::optional<std::array<long, 2>> counts(const std::string& name, const std::st
     return {{std::stol(first), std::stol(second)}};
 }
 
+/// A layout of a file, its particles moved onto the boundary as `--snap` says.
+Layout layout_of_file(const std::string& name, const hole::Shape& shape, double snap) {
+    Points<2> x = command_line::read_points(name);
+    if (snap == 0) return {name, std::move(x), false};
+    const auto boundary = elastostatics::region(hole::problem({hole::E, hole::nu}, shape));
+    auto [there, moved, farthest] = particles::snapped(std::move(x), boundary, snap);
+    return {name, std::move(there), false,
+            name + ": " + std::to_string(moved) + " particles moved onto the boundary, by " +
+                base::shown(farthest, 3) + " m at most"};
+}
+
 /// A layout by its name, or of a file.
 /// \param rho least scaling factor: the matrices for it must fit into memory
-Layout layout_named(const std::string& name, const hole::Shape& shape, unsigned long draw, double rho) {
+Layout layout_named(const std::string& name, const hole::Shape& shape, unsigned long draw, double rho,
+                    double snap) {
     if (const auto graded = counts(name, "graded-", '-', 6)) {
         const auto [N, on_arc] = *graded;
         command_line::check_cloud(static_cast<double>(N), rho * rho);
@@ -64,7 +80,7 @@ Layout layout_named(const std::string& name, const hole::Shape& shape, unsigned 
     if (name.find('.') == std::string::npos && name.find('/') == std::string::npos)
         throw base::InvalidInput("there is no layout '" + name +
                                  "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
-    return {name, command_line::read_points(name), false};
+    return layout_of_file(name, shape, snap);
 }
 
 /// The places of `--states`.
@@ -122,6 +138,8 @@ report::Table table_of(const Options& options) {
                                    {"--output", options.output},
                                    {"--field", options.field},
                                    {"--plot", options.figure.path}});
+    if (!(std::isfinite(options.snap) && options.snap >= 0))
+        throw base::InvalidInput("--snap must be a distance, got " + base::shown(options.snap));
     command_line::ExampleTable table(
         options, cases,
         "Batra and Zhang (2008), Section 4.2: a quarter of a plate with a hole; lengths in m, stresses in Pa",
@@ -138,7 +156,8 @@ report::Table table_of(const Options& options) {
         for (const double radius : options.radii)
             for (unsigned long draw = options.draw; draw < options.draw + options.draws; ++draw) {
                 const hole::Shape shape = hole::checked({radius, 3});
-                const Layout layout = layout_named(name, shape, draw, rho);
+                const Layout layout = layout_named(name, shape, draw, rho, options.snap);
+                if (!layout.about.empty() && draw == options.draw) table.add_comment(layout.about);
                 if (layout.drawn || draw == options.draw)
                     add(table, options, cases, shape, layout, draw, progress);
             }
@@ -154,7 +173,8 @@ int main(int argc, char** argv) {
         "A LIST is numbers separated by commas, or a range from:step:to.\n"
         "Layouts: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays of R particles; or a file with a line x1 x2 for each particle.\n"
         "Example: hole --layout graded-188-11,graded-686-21 --draws 4\n"
-        "Another: hole --states x2-axis --plot /tmp/hole.svg");
+        "Another: hole --states x2-axis --plot /tmp/hole.svg\n"
+        "Rounded positions: hole --layout body.csv --snap 1e-6");
     Options options;
     options.scaling = {4};
     options.plane = "strain";
@@ -162,6 +182,9 @@ int main(int argc, char** argv) {
     app.add_list("--layout", options.layouts,
                  "layouts of particles, separated by commas (default graded-188-11)")
         .type_name("NAME|FILE[,...]");
+    app.add_option("--snap", options.snap,
+                   "move particles of a file within this distance of the boundary onto it, in m (default 0)")
+        .type_name("D");
     app.add_list("--radius", options.radii,
                  "radii of the hole in m; the quarter has a side of 3 m (default 0.3)");
     app.add_option("--draw", options.draw, "first draw of a graded layout (default 1)")

@@ -1,6 +1,8 @@
 #include "batra2008/basis_at.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "tests/batra2008/bases.hpp"
 #include "tests/relative.hpp"
@@ -106,6 +108,32 @@ TEST_CASE(
     const Points<2> grid = support::grid_points<2>(5);
     undetermined(2, grid, 2, Point<2>(0, 0.5), 0.25);
     CHECK_NOTHROW(support::bases(2, grid, 2.5, Point<2>(0, 0.5), 0.25));
+}
+
+TEST_CASE("basis_at: a place so far away that the kernel underflows is refused") {
+    Points<2> x = 4 * support::grid_points<2>(5);
+    for (const auto& [away, rho] : {std::pair{26.5, 35.0}, {27.0, 35.0}, {30.0, 40.0}}) {
+        const Point<2> far(-away, 2);
+        const std::string why = refusal([&, rho = rho] { support::bases(2, x, rho, far, 1); });
+        CAPTURE(why);
+        const std::string before =
+            "they do not determine: the kernel's values underflow; try --smoothing-from ";
+        const auto remedy = why.find(before);
+        REQUIRE(remedy != std::string::npos);
+        CHECK_NOTHROW(support::bases(2, x, rho, far, std::stod(why.substr(remedy + before.size()))));
+    }
+    const std::string why = refusal([&] { support::bases(2, x, 303.1, Point<2>(-300, 2), 1); });
+    CHECK(why.ends_with("the kernel's values underflow; take a place nearer to the particles"));
+}
+
+TEST_CASE(
+    "basis_at: the reciprocal condition is that of the whole matrix, not of the factors up to the fault") {
+    // Two rows of three particles: rank 5.
+    const std::string why =
+        refusal([&] { support::bases(2, support::grid_points<2>(5), 2, Point<2>(0, 0.5), 0.25); });
+    const auto number = why.find("reciprocal condition ");
+    REQUIRE(number != std::string::npos);
+    CHECK(std::stod(why.substr(number + 21)) < 1e-15);
 }
 
 TEST_CASE("basis_at: without the kernel's gradient the basis is the same, and its derivatives are refused") {

@@ -104,7 +104,36 @@ TEST_CASE("elastostatics: a choice at a corner is taken, and its value comes fro
 TEST_CASE("elastostatics: a particle outside the body is named") {
     Points<2> x = plate::grid(4, 3);
     x(1, 7) = 0.3;
-    CHECK_THROWS_WITH_AS(check_inside(Cloud<2>(x), plate::problem(stressed)),
-                         doctest::Contains("particle 7 at (0.666667, 0.3) lies outside the body"),
+    CHECK_THROWS_WITH_AS(
+        checked(plate::problem(stressed), Cloud<2>(x)),
+        doctest::Contains(
+            "particle 7 at (0.666667, 0.3) lies outside the body, 0.1 from the side from (1, 0.2) to (0, 0.2)"),
+        base::InvalidInput);
+}
+
+TEST_CASE("elastostatics: a problem's boundary is closed, its sides are turned, its corners lie on it") {
+    const Cloud<2> cloud(plate::grid(4, 3));
+    Problem clockwise = plate::problem(stressed);
+    for (Side& side : clockwise.sides) {
+        auto& segment = std::get<particles::Segment>(side.curve);
+        std::swap(segment.from, segment.to);
+    }
+    const Problem right = checked(clockwise, cloud);
+    for (std::size_t k = 0; k < right.sides.size(); ++k) {
+        const Point<2> x = particles::ends(right.sides[k].curve)[0];
+        CHECK(particles::normal_at(right.sides[k].curve, x) ==
+              particles::normal_at(plate::problem(stressed).sides[k].curve, x));
+        CHECK(right.sides[k].displaced == plate::problem(stressed).sides[k].displaced);
+    }
+    Problem open = plate::problem(stressed);
+    open.sides.pop_back();
+    CHECK_THROWS_WITH_AS(checked(open, cloud), doctest::Contains("the boundary is not closed"),
                          base::InvalidInput);
+    Problem corner = plate::problem(stressed);
+    corner.corners[1].at = {0.5, 0};
+    CHECK_THROWS_WITH_AS(checked(corner, cloud), doctest::Contains("no sides meet at the corner (0.5, 0)"),
+                         base::InvalidInput);
+    Problem soft = plate::problem(stressed);
+    soft.material.nu = 0.7;
+    CHECK_THROWS_AS(checked(soft, cloud), base::InvalidInput);
 }

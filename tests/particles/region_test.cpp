@@ -289,6 +289,19 @@ TEST_CASE("region: the boundary in a disc has the lengths of chords and arcs") {
     CHECK(length(arc, around(0.7, 0.8), 0.3, 4) ==
           support::relative(2 * 0.5 * std::acos((0.25 + 0.49 - 0.09) / 0.7), 1e-13));
     CHECK(length(arc, around(0.7, 0.8), 3, 4) == support::relative(pi / 4, 1e-13));
+    // The disc holds the whole circle; its centre lies on the far side of the arc, or in the hole.
+    for (const double angle : {0.8, 2.5, -2.3, 4.0})
+        for (const double r : {0.0, 0.2, 0.7})
+            CHECK(length(arc, around(r, angle), 3, 4) == support::relative(pi / 4, 1e-13));
+
+    const Curve circle = Arc{{1, 2}, 0.5, 0, 2 * pi}, open = Arc{{1, 2}, 0.5, 0.1, 2 * pi - 0.1};
+    for (const double angle : {0.0, 0.1, 1.0, pi, 6.0, 2 * pi - 0.01}) {
+        CAPTURE(angle);
+        CHECK(length(circle, around(0.5, angle), radius, 4) == support::relative(0.5 * 2 * half, 1e-13));
+        CHECK(length(circle, around(0.3, angle), 2, 4) == support::relative(pi, 1e-13));
+    }
+    CHECK(length(open, around(0.5, 0), radius, 4) == support::relative(0.5 * 2 * (half - 0.1), 1e-13));
+    CHECK(length(open, around(0.5, 0.2), radius, 4) == support::relative(0.5 * (2 * half - 0.2), 1e-13));
     CHECK(boundary_rule(arc, around(0.8, 0.8), 0.3, 4).empty());
     CHECK(boundary_rule(arc, around(0.5, -1), 0.3, 4).empty());
 }

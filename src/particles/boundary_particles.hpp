@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/index.hpp"
+#include "particles/cloud.hpp"
+#include "particles/region.hpp"
+
+namespace particles {
+
+/// Share of a particle's distance to the nearest other one within which it may not lie beside the boundary: it
+/// is then meant to be on it.
+constexpr double boundary_margin = 1e-3;
+
+/// Checks that the particles tell what boundary they have. Particles on it, within 1e-8 of the body's size,
+/// carry its conditions; the others are inner ones.
+/// \param region as checked() returns it
+/// \param size a length of the body
+/// \throws base::InvalidInput with a remedy, naming a particle, for one that lies outside the body, or beside
+///         the boundary within the boundary_margin; naming a part of the boundary, for one without a particle
+///         on it
+void check_particles(const Cloud<2>& cloud, const Region& region, double size);
+
+/// Particles some of which were moved onto the boundary.
+struct Snapped {
+    Points<2> x;
+    Index moved = 0;
+    double farthest = 0;  ///< largest distance by which one was moved [length]
+};
+
+/// Moves particles within a distance of the boundary to its nearest point; to the end of a part, a corner, if
+/// that is within the distance.
+/// \throws base::InvalidInput unless the distance is positive and finite
+Snapped snapped(Points<2> x, const Region& region, double distance);
+
+}  // namespace particles

@@ -1,0 +1,158 @@
+#include "particles/boundary_particles.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/errors.hpp"
+#include "particles/layouts.hpp"
+#include "tests/clouds.hpp"
+
+using namespace particles;
+
+namespace {
+
+const double pi = std::acos(-1.0);
+const QuarterWithHole shape{0.3, 3};
+
+Region quarter() {
+    return {Segment{{0.3, 0}, {3, 0}}, Segment{{3, 0}, {3, 3}}, Segment{{3, 3}, {0, 3}},
+            Segment{{0, 3}, {0, 0.3}}, Arc{{0, 0}, 0.3, 0, pi / 2}};
+}
+
+const Points<2>& layout() {
+    static const Points<2> x = graded_layout(shape, 188, 11, 1);
+    return x;
+}
+
+void check(const Points<2>& x) {
+    check_particles(Cloud<2>(x), quarter(), 3);
+}
+
+void refuses(const Points<2>& x, const std::string& why) {
+    CAPTURE(why);
+    CHECK_THROWS_WITH_AS(check(x), doctest::Contains(why.c_str()), base::InvalidInput);
+}
+
+/// Number of a particle on the arc, none of its ends.
+Index on_arc(const Points<2>& x) {
+    for (Index j = 0; j < x.cols(); ++j)
+        if (std::abs(x.col(j).norm() - 0.3) < 1e-9 && x.col(j).minCoeff() > 0.05) return j;
+    return -1;
+}
+
+/// Positions to some number of decimals. \param round to the nearest, down or up
+Points<2> rounded(const Points<2>& x, int decimals, double (*round)(double)) {
+    const double digit = std::pow(10, decimals);
+    return x.unaryExpr([&](double number) { return round(number * digit) / digit; });
+}
+
+/// x without one particle.
+Points<2> without(const Points<2>& x, Index j) {
+    Points<2> left(2, x.cols() - 1);
+    left << x.leftCols(j), x.rightCols(x.cols() - 1 - j);
+    return left;
+}
+
+/// The distance that a message proposes.
+double proposed(const Points<2>& x) {
+    try {
+        check(x);
+    } catch (const base::InvalidInput& refused) {
+        const std::string text = refused.what();
+        const auto at = text.find("try --snap ");
+        return at == std::string::npos ? 0 : std::stod(text.substr(at + 11));
+    }
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("boundary_particles: layouts with particles on the boundary pass, without corners too") {
+    CHECK_NOTHROW(check(layout()));
+    CHECK_NOTHROW(check(polar_layout(shape, 11, 17)));
+    for (Index j = layout().cols() - 1; j >= 0; --j) {
+        const Point<2> x = layout().col(j);
+        const bool corner = (x - Point<2>(3, 3)).norm() < 1e-9 || (x - Point<2>(0.3, 0)).norm() < 1e-9;
+        if (corner) CHECK_NOTHROW(check(without(layout(), j)));
+    }
+}
+
+TEST_CASE("boundary_particles: a particle just beside the boundary is named, and the snap proposed helps") {
+    const Index j = on_arc(layout());
+    REQUIRE(j >= 0);
+    const double spacing = Cloud<2>(layout()).apart()[j];
+    for (const double away : {-5e-4 * spacing, -6e-8, 6e-8, 1e-4 * spacing, 0.1 * spacing, 0.4 * spacing}) {
+        CAPTURE(away);
+        Points<2> x = layout();
+        x.col(j) *= 1 - away / 0.3;  // positive: out of the body
+        refuses(x, "particle " + std::to_string(j) + " at ");
+        refuses(x, std::string(away > 0 ? "lies outside the body, " : "lies inside the body, but only ") +
+                       base::shown(std::abs(away), 3) + " from the arc of radius 0.3 around (0, 0)");
+        const double distance = proposed(x);
+        REQUIRE(distance >= std::abs(away));
+        CHECK(distance < 1.2 * std::abs(away));
+        const Snapped helped = snapped(x, quarter(), distance);
+        CHECK_NOTHROW(check(helped.x));
+        CHECK(helped.x.col(j).norm() == doctest::Approx(0.3).epsilon(1e-14));
+        CHECK(helped.farthest == doctest::Approx(std::abs(away)));
+    }
+}
+
+TEST_CASE("boundary_particles: a particle clearly inside is an inner one") {
+    const Index j = on_arc(layout());
+    const double spacing = Cloud<2>(layout()).apart()[j];
+    for (const double away : {1.1e-3, 1e-2, 0.1, 0.4}) {
+        Points<2> x = layout();
+        x.col(j) *= 1 + away * spacing / 0.3;
+        CHECK_NOTHROW(check(x));
+    }
+}
+
+TEST_CASE(
+    "boundary_particles: layouts rounded to six decimals are refused, and taken with the snap proposed") {
+    for (const auto round :
+         {static_cast<double (*)(double)>(std::round), static_cast<double (*)(double)>(std::floor),
+          static_cast<double (*)(double)>(std::ceil)})
+        for (const int decimals : {4, 5, 6, 7}) {
+            CAPTURE(decimals);
+            const Points<2> x = rounded(layout(), decimals, round);
+            const double distance = proposed(x);
+            REQUIRE(distance > 0);
+            CHECK(distance < 2 * std::pow(10, -decimals));
+            CHECK_NOTHROW(check(snapped(x, quarter(), distance).x));
+        }
+    CHECK_NOTHROW(check(rounded(layout(), 9, std::round)));
+}
+
+TEST_CASE("boundary_particles: a part of the boundary without particles is named, with both sizes") {
+    Points<2> inner(2, 0);
+    for (const auto& x : layout().colwise())
+        if (std::abs(x.norm() - 0.3) > 1e-9) {
+            inner.conservativeResize(2, inner.cols() + 1);
+            inner.rightCols(1) = x;
+        }
+    refuses(inner, "the arc of radius 0.3 around (0, 0) has no particle on it; the nearest is particle ");
+    refuses(graded_layout({0.3, 2.5}, 188, 11, 1), "the particles span 2.5 x 2.5, the body 3 x 3");
+    refuses(1000 * layout(), "lies outside the body");
+    refuses(1000 * layout(), "; the particles span 3000 x 3000, the body 3 x 3");
+    CHECK(proposed(1000 * layout()) == 0);
+}
+
+TEST_CASE("boundary_particles: snapping takes a corner before a side, and leaves what is on the boundary") {
+    Points<2> x(2, 6);
+    x << 3, 2.9995, 1.5, 1.5, 0.3002, 2,  //
+        3, 2.9998, 1e-4, 1e-2, 1e-4, 3;
+    const auto [there, moved, farthest] = snapped(x, quarter(), 1e-3);
+    CHECK(moved == 3);
+    CHECK(farthest == doctest::Approx(std::hypot(5e-4, 2e-4)));
+    CHECK(there.col(0) == x.col(0));
+    CHECK(there.col(1) == Point<2>(3, 3));
+    CHECK(there.col(2) == Point<2>(1.5, 0));
+    CHECK(there.col(3) == x.col(3));
+    CHECK(there.col(4) == Point<2>(0.3, 0));
+    CHECK(there.col(5) == x.col(5));
+    for (const double none : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+        CHECK_THROWS_AS(snapped(x, quarter(), none), base::InvalidInput);
+}
