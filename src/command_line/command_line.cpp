@@ -37,11 +37,20 @@ CommandLine::Option& CommandLine::Option::type_name(const std::string& shown) {
     return *this;
 }
 CommandLine::Option& CommandLine::Option::within(long least, long most) {
-    option_->check(CLI::Range(least, most));
+    option_->check([least, most, name = option_->get_name()](const std::string& text) {
+        if (const long number = whole_number(name, text); number < least || number > most)
+            throw base::InvalidInput(name + " must lie between " + std::to_string(least) + " and " +
+                                     std::to_string(most) + ", got " + std::to_string(number));
+        return std::string();
+    });
     return *this;
 }
 CommandLine::Option& CommandLine::Option::among(const std::vector<std::string>& words) {
-    option_->check(CLI::IsMember(words));
+    option_->check([words, name = option_->get_name()](const std::string& text) {
+        if (std::find(words.begin(), words.end(), text) == words.end())
+            throw base::InvalidInput(name + ": there is no '" + text + "'; choose one of " + joined(words));
+        return std::string();
+    });
     return *this;
 }
 CommandLine::Option& CommandLine::Option::excludes(const Option& other) {
@@ -55,21 +64,35 @@ CommandLine::Option& CommandLine::Option::required() {
 
 namespace {
 
-/// Refuses a whole number with a zero before its digits, which CLI11 would read as octal, hexadecimal or
-/// binary.
-std::string in_decimal(const std::string& text) {
-    const std::size_t first = text.find_first_not_of("+-");
-    if (first == std::string::npos || text[first] != '0' || first + 1 == text.size()) return {};
-    return text + " begins with 0; write it in decimal";
+/// Refuses an empty value, most likely of a shell variable that was never set.
+CLI::Option* never_empty(CLI::Option* option) {
+    option->check([name = option->get_name()](const std::string& text) {
+        if (text.empty()) throw base::InvalidInput(name + " is empty; give it a value or leave it out");
+        return std::string();
+    });
+    return option;
+}
+
+/// An option whose text `read` turns into a value or a list of values.
+template <class Value, class Read>
+CLI::Option* option_that_reads(CLI::App& app, const std::string& name, Value& value, const std::string& about,
+                               const Read& read) {
+    const auto store = [&value, name, read](const std::string& text) {
+        value = static_cast<Value>(read(name, text));
+    };
+    return never_empty(app.add_option_function<std::string>(name, store, about));
 }
 
 }  // namespace
 
 template <class Value>
 CommandLine::Option CommandLine::add_option(const std::string& name, Value& value, const std::string& about) {
-    CLI::Option* const option = app_->add_option(name, value, about);
-    if constexpr (std::is_integral_v<Value>) option->check(in_decimal);
-    return Option(option);
+    if constexpr (std::is_integral_v<Value>)
+        return Option(option_that_reads(*app_, name, value, about, whole_number));
+    else if constexpr (std::is_floating_point_v<Value>)
+        return Option(option_that_reads(*app_, name, value, about, number));
+    else
+        return Option(never_empty(app_->add_option(name, value, about)));
 }
 template CommandLine::Option CommandLine::add_option(const std::string&, std::string&, const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, double&, const std::string&);
@@ -81,38 +104,21 @@ template CommandLine::Option CommandLine::add_option(const std::string&, std::op
 template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
                                                      const std::string&);
 
-namespace {
-
-/// An option whose text `read` turns into a list. What is empty is refused once all options are read.
-template <class Value, class Read>
-CLI::Option* list_option(CLI::App& app, const std::string& name, std::vector<Value>& values,
-                         const std::string& about, const Read& read) {
-    const auto store = [&values, read](const std::string& text) {
-        if (!text.empty()) values = read(text);
-    };
-    return app.add_option_function<std::string>(name, store, about);
-}
-
-}  // namespace
-
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<std::string>& values,
                                           const std::string& about) {
-    CLI::Option* const option = list_option(*app_, name, values, about, names);
-    return Option(option->type_name("NAME[,NAME...]"));
+    return Option(option_that_reads(*app_, name, values, about, names)->type_name("NAME[,NAME...]"));
 }
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<double>& values,
                                           const std::string& about) {
-    const auto read = [name](const std::string& text) { return numbers(name, text); };
-    return Option(list_option(*app_, name, values, about, read)->type_name("LIST"));
+    return Option(option_that_reads(*app_, name, values, about, numbers)->type_name("LIST"));
 }
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<long>& values,
                                           const std::string& about) {
-    const auto read = [name](const std::string& text) { return whole_numbers(name, text); };
-    return Option(list_option(*app_, name, values, about, read)->type_name("LIST"));
+    return Option(option_that_reads(*app_, name, values, about, whole_numbers)->type_name("LIST"));
 }
 
 CommandLine::Option CommandLine::add_flag(const std::string& name, bool& value, const std::string& about) {
-    return Option(app_->add_flag(name, value, about));
+    return Option(app_->add_flag(name, value, about)->disable_flag_override());
 }
 
 void CommandLine::add_threads(int& threads) {
@@ -132,6 +138,28 @@ std::string CommandLine::name() const {
     return app_->get_name();
 }
 
+namespace {
+
+/// What CLI11 found wrong, in words that say what to do.
+std::string in_words(const CLI::ParseError& error, const CLI::App& app) {
+    const std::string what = error.what(), name = what.substr(0, what.find_first_of(": "));
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+        const std::string first = app.remaining().front();
+        return first.starts_with('-') ? "there is no option '" + first + "'"
+                                      : "'" + first + "' was not expected";
+    }
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)
+        return name + " and " + what.substr(what.rfind(' ') + 1) + " exclude each other; leave one out";
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+        return (what.ends_with("override") ? "--" : "") + name +
+               (what.ends_with("missing")    ? " needs a value"
+                : what.ends_with("override") ? " takes no value"
+                                             : " is given twice; give it once");
+    return what;
+}
+
+}  // namespace
+
 std::optional<int> CommandLine::read(int argc, char** argv) {
     try {
         app_->parse(argc, argv);
@@ -139,12 +167,8 @@ std::optional<int> CommandLine::read(int argc, char** argv) {
         app_->exit(asked);
         return 0;
     } catch (const CLI::ParseError& error) {
-        throw base::InvalidInput(std::string(error.what()) + "; see " + name() + " --help");
+        throw base::InvalidInput(in_words(error, *app_) + "; see " + name() + " --help");
     }
-    for (const CLI::Option* const option : app_->get_options())
-        for (const std::string& value : option->results())
-            if (value.empty())  // most likely a shell variable that was never set
-                throw base::InvalidInput(option->get_name() + " is empty; give it a value or leave it out");
     return {};
 }
 

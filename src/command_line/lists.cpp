@@ -1,14 +1,13 @@
 #include "command_line/lists.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
+#include <cstdlib>
 #include <utility>
 
 #include "base/choose.hpp"
 #include "base/errors.hpp"
-#include "base/text.hpp"
+#include "base/number.hpp"
 
 namespace command_line {
 
@@ -26,9 +25,28 @@ std::vector<std::string> parts(const std::string& text, char between) {
     return found;
 }
 
-bool read(const std::string& text, double& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+/// The entries of a list, without the blanks around them. A comma may stand at the end.
+/// \throws InvalidInput where an entry is empty
+std::vector<std::string> entries(const std::string& option, const std::string& list) {
+    std::vector<std::string> found = parts(list, ',');
+    if (found.size() > 1 && base::trimmed(found.back()).empty()) found.pop_back();
+    for (std::string& entry : found) {
+        entry = base::trimmed(entry);
+        if (entry.empty())
+            throw InvalidInput(option + ": " + base::quoted(list) +
+                               " has an empty entry; leave the comma beside it out");
+    }
+    return found;
+}
+
+/// What `read` makes of a text, with the option in the message of what is refused.
+template <class Read>
+auto of_option(const std::string& option, const Read& read, const std::string& text) {
+    try {
+        return read(text);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(option + ": " + error.what());
+    }
 }
 
 /// The numbers from `from` to `to`. They are rounded, so that 2:0.1:4 holds 2.3 and not 2.3000000000000003.
@@ -44,55 +62,68 @@ std::vector<double> range(double from, double step, double to) {
     return all;
 }
 
-/// The numbers of a part of a list: one, or those of a range.
-std::vector<double> numbers_of_part(const std::string& option, const std::string& part) {
+/// The numbers of an entry of a list: one, or those of a range.
+std::vector<double> numbers_of_entry(const std::string& option, const std::string& entry) {
     std::vector<double> given;
-    for (const std::string& text : parts(part, ':')) {
-        double number = 0;
-        if (!read(text, number))
-            throw InvalidInput(option + ": '" + part + "' is neither a number nor a range from:step:to");
-        given.push_back(number);
-    }
+    for (const std::string& text : parts(entry, ':')) given.push_back(number(option, text));
     if (given.size() == 1) return given;
     if (given.size() != 3 || !(given[1] > 0) || given[2] < given[0] || (given[2] - given[0]) / given[1] > 1e4)
-        throw InvalidInput(option + ": '" + part + "' is no range from:step:to of at most 10000 steps");
+        throw InvalidInput(option + ": " + base::quoted(entry) +
+                           " is no range from:step:to of at most 10000 steps");
     return range(given[0], given[1], given[2]);
+}
+
+/// Refuses a list that is separated by semicolons, with the list to be written instead.
+void check_commas(const std::string& option, const std::string& list) {
+    if (list.find(';') == std::string::npos) return;
+    std::string written = list;
+    std::replace(written.begin(), written.end(), ',', '.');
+    std::replace(written.begin(), written.end(), ';', ',');
+    throw InvalidInput(option + ": " + base::quoted(list) +
+                       " is separated by semicolons; write points and commas, " + written);
 }
 
 }  // namespace
 
-std::vector<std::string> names(const std::string& list) {
-    return parts(list, ',');
+double number(const std::string& option, const std::string& text) {
+    return of_option(option, base::number, text);
+}
+
+long whole_number(const std::string& option, const std::string& text) {
+    return of_option(option, base::whole_number, text);
+}
+
+std::vector<std::string> names(const std::string& option, const std::string& list) {
+    return entries(option, list);
 }
 
 std::vector<double> numbers(const std::string& option, const std::string& list) {
+    check_commas(option, list);
     std::vector<double> all;
-    for (const std::string& part : parts(list, ','))
-        for (const double number : numbers_of_part(option, part)) all.push_back(number);
+    for (const std::string& entry : entries(option, list))
+        for (const double number : numbers_of_entry(option, entry)) all.push_back(number);
     return all;
 }
 
 std::vector<long> whole_numbers(const std::string& option, const std::string& list) {
-    for (const std::string& part : parts(list, ','))  // which other programs read as octal
-        for (const std::string& text : parts(part, ':'))
-            if (text.size() > 1 && text[0] == '0' && text[1] != '.')
-                throw InvalidInput(option + ": " + text + " begins with 0; write it in decimal");
+    check_commas(option, list);
     std::vector<long> all;
-    for (const double number : numbers(option, list)) {
-        if (number != std::round(number) || std::abs(number) > 1e15)
-            throw InvalidInput(option + ": " + base::shown(number) + " is no whole number up to 1e15");
-        all.push_back(std::lround(number));
+    for (const std::string& entry : entries(option, list)) {
+        for (const std::string& text : parts(entry, ':')) static_cast<void>(whole_number(option, text));
+        for (const double number : numbers_of_entry(option, entry)) all.push_back(std::lround(number));
     }
     return all;
 }
 
 std::array<long, 2> pair_of(const std::string& option, const std::string& text) {
     const std::vector<std::string> both = parts(text, 'x');
-    double first = 0, second = 0;
-    if (both.size() != 2 || !read(both[0], first) || !read(both[1], second) || first != std::round(first) ||
-        second != std::round(second) || std::max(std::abs(first), std::abs(second)) > 1e6)
-        throw InvalidInput(option + ": '" + text + "' is no pair of whole numbers such as 16x4");
-    return {std::lround(first), std::lround(second)};
+    try {
+        if (const std::array<long, 2> pair{base::whole_number(both.front()), base::whole_number(both.back())};
+            both.size() == 2 && std::abs(pair[0]) <= 1000000 && std::abs(pair[1]) <= 1000000)
+            return pair;
+    } catch (const InvalidInput&) {
+    }
+    throw InvalidInput(option + ": " + base::quoted(text) + " is no pair of whole numbers such as 16x4");
 }
 
 std::vector<std::string> chosen(const std::string& what, const std::vector<std::string>& wanted,

@@ -6,17 +6,24 @@
 
 namespace command_line {
 
-/// The names of a list such as strong,weak1.
-std::vector<std::string> names(const std::string& list);
+/// A number as base::number() reads it. \throws base::InvalidInput naming the option
+double number(const std::string& option, const std::string& text);
 
-/// The numbers of a list such as 3,3.5,4 or 2:0.1:4, a range from:step:to whose ends belong to it. Parts may
-/// be mixed.
+/// A whole number as base::whole_number() reads it. \throws base::InvalidInput naming the option
+long whole_number(const std::string& option, const std::string& text);
+
+/// The names of a list such as strong,weak1. A comma may stand at the end, and blanks around each name.
+/// \throws base::InvalidInput for an empty entry
+std::vector<std::string> names(const std::string& option, const std::string& list);
+
+/// The numbers of a list such as 3,3.5,4 or 2:0.1:4, a range from:step:to whose ends belong to it. Entries may
+/// be mixed; a comma may stand at the end, and blanks around each number.
 /// \param option the option that the list belongs to, for the message
-/// \throws base::InvalidInput showing the part that is neither a number nor a range of at most 10000 steps
+/// \throws base::InvalidInput showing the entry that is neither a number nor a range of at most 10000 steps;
+///         for a list with semicolons, how to write it
 std::vector<double> numbers(const std::string& option, const std::string& list);
 
-/// The same for whole numbers up to 10¹⁵. \throws base::InvalidInput also for a number that begins with 0, as
-/// in 010
+/// The same for whole numbers as whole_number() reads them.
 std::vector<long> whole_numbers(const std::string& option, const std::string& list);
 
 /// The pair of whole numbers of a text such as 16x4. \throws base::InvalidInput showing the text

@@ -1,8 +1,7 @@
 #include "command_line/positions.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -11,191 +10,142 @@
 #include <vector>
 
 #include "base/errors.hpp"
-#include "report/file.hpp"
+#include "base/number.hpp"
+#include "command_line/columns.hpp"
 
 namespace command_line {
 
 using base::InvalidInput;
+using base::quoted;
+using particles::Column;
+using particles::Index;
+using particles::Points;
 
 namespace {
 
-/// The text without the blanks around it.
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+/// What is nearer than this to an end of [0, 1] lies on it, as in layouts.
+constexpr double end_tolerance = 1e-8;
+
+/// The place of the only column that holds positions: of its name or number, else of x, else the first.
+std::size_t place_of_positions(const Columns& file, const std::vector<std::string>& columns) {
+    if (columns.size() > 1)
+        throw InvalidInput("--columns: a line of particles has one column of positions, not " +
+                           std::to_string(columns.size()));
+    if (!columns.empty()) return file.place_of(columns.front());
+    if (const auto named = file.place_named("x")) return *named;
+    if (file.rows().size() > 2 && file.rows().front().entries().size() > 1 && file.counts_rows(0))
+        file.refuse(" counts its lines in the first column; name the column of positions, --columns 2");
+    return 0;
 }
 
-/// Whether a line begins with a name. nan and inf are no names.
-bool starts_header(std::string_view line) {
-    const std::string_view word = line.substr(0, line.find_first_of(", \t"));
-    double number = 0;
-    if (word.empty() ||
-        std::from_chars(word.data(), word.data() + word.size(), number).ptr == word.data() + word.size())
-        return false;
-    const char letter = word.front();
-    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
-           letter == '"';
+/// Refuses a row that has more or fewer columns than the first.
+void check_count(const Columns& file, const Columns::Row& row) {
+    const std::size_t first = file.rows().front().entries().size(), count = row.entries().size();
+    if (count != first)
+        file.refuse(row, row.text,
+                    "has " + std::to_string(count) + (count == 1 ? " column" : " columns") +
+                        ", the first line " + std::to_string(first));
 }
 
-/// An entry as messages show it: on one line, 40 characters at most.
-std::string quoted(std::string_view entry) {
-    std::string text(entry.substr(0, 40));
-    for (char& letter : text)
-        if (letter < ' ' || letter > '~') letter = '?';
-    return "'" + text + "'";
-}
-
-/// The entries of a line: between commas if it has any, else between blanks.
-std::vector<std::string_view> entries(std::string_view line) {
-    const bool commas = line.find(',') != std::string_view::npos;
-    std::vector<std::string_view> found;
-    while (true) {
-        const std::size_t end = std::min(line.find_first_of(commas ? "," : " \t"), line.size());
-        found.push_back(trimmed(line.substr(0, end)));
-        if (end == line.size()) return found;
-        line = commas ? line.substr(end + 1) : trimmed(line.substr(end));
-    }
-}
-
-/// A line that is neither blank nor a comment.
-struct Line {
-    long number;
-    std::string_view text;  ///< without comment, and without blanks at its ends
-};
-
-/// A text without blank lines and comments.
-struct Lines {
-    std::string_view header;  ///< empty if there is none
-    std::vector<Line> lines;
-};
-
-Lines lines_of(std::string_view text) {
-    Lines found;
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark of some editors
-    for (long number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string_view content = trimmed(line.substr(0, line.find('#')));
-        if (content.empty()) continue;
-        if (found.header.empty() && found.lines.empty() && starts_header(content))
-            found.header = content;
-        else
-            found.lines.push_back({number, content});
-    }
-    return found;
-}
-
-/// The place of a column, from 0, by its name in the header; nothing where there is none.
-std::optional<std::size_t> place_named(std::string_view column, std::string_view header) {
-    const std::vector<std::string_view> names = entries(header);
-    for (std::size_t place = 0; place < names.size(); ++place)
-        if (names[place] == column || names[place] == "\"" + std::string(column) + "\"") return place;
-    return {};
-}
-
-/// Throws an error that names the option, the file, the line and the entry.
-struct Refusal {
-    std::string option, path;
-    [[noreturn]] void operator()(const Line& line, std::string_view entry, const std::string& why) const {
-        throw InvalidInput(option + ": " + path + ", line " + std::to_string(line.number) + ": " +
-                           quoted(entry) + " " + why);
-    }
-};
-
-double number_in(const Line& line, std::string_view entry, const Refusal& refuse) {
-    double value = 0;
-    const auto [stop, error] = std::from_chars(entry.data(), entry.data() + entry.size(), value);
-    if (error != std::errc() || stop != entry.data() + entry.size() || !std::isfinite(value))
-        refuse(line, entry, "is no number");
-    return value;
+/// "; if its comma is decimal, write 0.25" for a line such as 0,25.
+std::string advice_on_comma(std::string_view text) {
+    const std::size_t comma = text.find_first_not_of("0123456789");
+    if (comma == std::string_view::npos || text[comma] != ',' ||
+        text.find_first_not_of("0123456789", comma + 1) != std::string_view::npos)
+        return {};
+    return "; if its comma is decimal, write " + std::string(text.substr(0, comma)) + "." +
+           std::string(text.substr(comma + 1));
 }
 
 }  // namespace
 
-particles::Column<double> read_positions(const std::string& path) {
-    const Refusal refuse{"--positions", path};
-    const std::string text = report::read_whole(path);
+Column<double> read_positions(const std::string& path, const std::vector<std::string>& columns) {
+    const Columns file("--positions", path);
+    if (file.rows().empty()) file.refuse(" holds no position");
+    const std::size_t place = place_of_positions(file, columns);
     std::vector<double> x;
-    Line last{};
     std::string_view before;
-    for (const Line& line : lines_of(text).lines) {
-        const std::string_view entry = trimmed(line.text.substr(0, line.text.find(',')));
-        const double value = number_in(line, entry, refuse);
-        if (x.empty() && value != 0) refuse(line, entry, "is the first position; it must be 0");
-        if (!x.empty() && !(value > x.back()))
-            refuse(line, entry,
-                   "does not lie beyond the position before it, " + std::string(before) + "; sort them");
-        if (value > 1) refuse(line, entry, "lies beyond 1; scale the positions to [0, 1]");
+    for (const Columns::Row& row : file.rows()) {
+        if (row.text.find(',') == std::string_view::npos && row.entries().size() > 1) check_count(file, row);
+        double value = file.number(row, place);
+        const std::string_view entry = row.entries()[place];
+        const auto refuse = [&](const std::string& why) {
+            file.refuse(row, entry, why + advice_on_comma(row.text));
+        };
+        if (x.empty() && std::abs(value) < end_tolerance) value = 0;
+        if (&row == &file.rows().back() && std::abs(value - 1) < end_tolerance) value = 1;
+        if (x.empty() && value != 0) refuse("is the first position; it must be 0");
+        if (!x.empty() && value == x.back())
+            refuse("coincides with the position before it; leave one of the two out");
+        if (!x.empty() && value < x.back())
+            refuse("does not lie beyond the position before it, " + std::string(before) + "; sort them");
+        if (value > 1) refuse("lies beyond 1; scale the positions to [0, 1]");
+        if (&row == &file.rows().back() && value != 1) refuse("is the last position; it must be 1");
         x.push_back(value);
-        last = line;
         before = entry;
     }
-    if (x.empty()) throw InvalidInput("--positions: " + path + " holds no position");
-    if (x.back() != 1) refuse(last, before, "is the last position; it must be 1");
-    return Eigen::Map<particles::Column<double>>(x.data(), static_cast<particles::Index>(x.size()));
-}
-
-particles::Points<2> read_points(const std::string& path) {
-    const Refusal refuse{"--layout", path};
-    const std::string text = report::read_whole(path);
-    std::vector<double> x;
-    const auto [header, lines] = lines_of(text);
-    std::size_t columns = 2, first = 0, second = 1;
-    for (const auto& [name, other] : {std::pair{"x1", "x2"}, std::pair{"x", "y"}})
-        if (const auto named = place_named(name, header), named_other = place_named(other, header);
-            named && named_other) {
-            columns = entries(header).size();
-            first = *named;
-            second = *named_other;
-        }
-    for (const Line& line : lines) {
-        const std::vector<std::string_view> all = entries(line.text);
-        if (all.size() != columns)
-            refuse(line, line.text,
-                   columns == 2 ? "is not two numbers"
-                                : "has " + std::to_string(all.size()) + " columns, the header " +
-                                      std::to_string(columns));
-        for (const std::size_t place : {first, second}) x.push_back(number_in(line, all[place], refuse));
-    }
-    return Eigen::Map<particles::Points<2>>(x.data(), 2, static_cast<particles::Index>(x.size() / 2));
+    return Eigen::Map<Column<double>>(x.data(), static_cast<Index>(x.size()));
 }
 
 namespace {
 
-/// The place of a column, from 0, by its name in the header or by its number, from 1.
-/// \return nothing where there is none
-std::optional<std::size_t> place_of(std::string_view column, std::string_view header) {
-    if (const auto named = place_named(column, header)) return named;
-    std::size_t number = 0;
-    const auto [stop, error] = std::from_chars(column.data(), column.data() + column.size(), number);
-    if (error != std::errc() || stop != column.data() + column.size() || number == 0) return {};
-    return number - 1;
+/// Refuses a layout that does not have two columns, with those that may be meant.
+void check_two_columns(const Columns& file) {
+    const Columns::Row& row = file.rows().front();
+    const std::size_t count = row.entries().size();
+    if (count == 2) return;
+    file.refuse(row, row.text,
+                count == 1 ? "has 1 column; a layout needs x,y"
+                           : "has " + std::to_string(count) +
+                                 " columns; a layout needs x,y: choose them, such as --columns " +
+                                 (file.counts_rows(0) ? "2,3" : "1,2"));
 }
 
+}  // namespace
+
+Points<2> read_points(const std::string& path, const std::vector<std::string>& columns) {
+    const Columns file("--layout", path);
+    const std::size_t header = file.names().size();
+    std::vector<std::size_t> places;
+    if (!columns.empty() && columns.size() != 2)
+        throw InvalidInput("--columns: a layout has two columns, x,y, not " + std::to_string(columns.size()));
+    for (const std::string& column : columns) places.push_back(file.place_of(column));
+    for (const auto& [name, other] : {std::pair{"x1", "x2"}, std::pair{"x", "y"}})
+        if (const auto named = file.place_named(name), named_other = file.place_named(other);
+            places.empty() && named && named_other)
+            places = {*named, *named_other};
+    const bool chosen = !places.empty();
+    if (!chosen) places = {0, 1};
+    if (!chosen && !file.rows().empty()) check_two_columns(file);
+    std::vector<double> x;
+    for (const Columns::Row& row : file.rows()) {
+        if (!chosen) check_count(file, row);
+        if (const std::size_t count = row.entries().size(); chosen && columns.empty() && count != header)
+            file.refuse(row, row.text,
+                        "has " + std::to_string(count) + " columns, the header " + std::to_string(header));
+        for (const std::size_t place : places) x.push_back(file.number(row, place));
+    }
+    return Eigen::Map<Points<2>>(x.data(), 2, static_cast<Index>(x.size() / 2));
+}
+
+namespace {
+
 /// The smoothing lengths in a column of a file; in a file of one column, if it is empty.
-particles::Column<double> lengths_in(const std::string& path, const std::string& column) {
-    const Refusal refuse{"--smoothing-from", path};
-    const std::string content = report::read_whole(path);
-    const auto [header, lines] = lines_of(content);
-    if (lines.empty()) throw InvalidInput("--smoothing-from: " + path + " holds no number");
-    const std::optional<std::size_t> place = column.empty() ? 0 : place_of(column, header);
-    if (!place)
-        throw InvalidInput("--smoothing-from: " + path + " has no column '" + column + "'" +
-                           (header.empty() ? "; it has no header, take a number from 1"
-                                           : "; its header is " + quoted(header)));
-    particles::Column<double> lengths(static_cast<particles::Index>(lines.size()));
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        const Line& line = lines[k];
-        const std::vector<std::string_view> all = entries(line.text);
-        if (column.empty() && all.size() > 1)
-            refuse(line, line.text,
-                   "has " + std::to_string(all.size()) + " columns; name one, such as " + path + ":2");
-        if (*place >= all.size()) refuse(line, line.text, "has no column " + std::to_string(*place + 1));
-        const double length = number_in(line, all[*place], refuse);
-        if (!(length > 0)) refuse(line, all[*place], "is not positive");
-        lengths[static_cast<particles::Index>(k)] = length;
+Column<double> lengths_in(const std::string& path, const std::string& column) {
+    const Columns file("--smoothing-from", path);
+    if (file.rows().empty()) file.refuse(" holds no number");
+    const std::size_t place = column.empty() ? 0 : file.place_of(column);
+    Column<double> lengths(static_cast<Index>(file.rows().size()));
+    Index k = 0;
+    for (const Columns::Row& row : file.rows()) {
+        const auto entries = row.entries();
+        if (column.empty() && entries.size() > 1)
+            file.refuse(row, row.text,
+                        "has " + std::to_string(entries.size()) + " columns; name one, such as " + path +
+                            ":2" + advice_on_comma(row.text));
+        const double length = file.number(row, place);
+        if (!(length > 0)) file.refuse(row, entries[place], "is not positive");
+        lengths[k++] = length;
     }
     return lengths;
 }
@@ -213,24 +163,34 @@ NamedFile named_file(const std::string& text) {
     return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
+namespace {
+
+/// The text as a length: nothing where it does not begin as a number does.
+/// \throws InvalidInput for what begins so and is none, or is not positive
+std::optional<double> length_in(std::string_view text) {
+    if (text.find_first_of("+-.0123456789") != 0 || text.ends_with("-nearest")) return {};
+    const double length = base::number(text);
+    if (!(length > 0)) throw InvalidInput(quoted(text) + " is not positive");
+    return length;
+}
+
+}  // namespace
+
 particles::Spacing spacing_from(const std::string& text) {
-    std::string_view word = trimmed(text);
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double number = 0;
-    if (!word.empty() &&
-        std::from_chars(word.data(), word.data() + word.size(), number).ptr == word.data() + word.size()) {
-        if (!(std::isfinite(number) && number > 0))
-            throw InvalidInput("--smoothing-from must be positive and finite, got " + text);
-        return particles::Spacing(number);
-    }
+    const std::string_view word = base::trimmed(text);
     const auto [path, column] = named_file(text);
-    const bool is_path =
-        path.find('/') != std::string::npos || (path.find('.') != std::string::npos && starts_header(path));
     try {
+        if (const auto length = length_in(word)) return particles::Spacing(*length);
         return particles::spacing_named(word);
-    } catch (const InvalidInput& unknown) {
-        if (is_path || is_file(path)) return particles::Spacing(lengths_in(path, column));
-        throw InvalidInput("--smoothing-from: " + std::string(unknown.what()) + ", a length, or a file");
+    } catch (const InvalidInput& neither) {
+        if (is_file(path) || path.find('/') != std::string::npos ||
+            (path.find('.') != std::string::npos && starts_with_name(path)))
+            return particles::Spacing(lengths_in(path, column));
+        const std::string why = neither.what();
+        throw InvalidInput("--smoothing-from: " + why +
+                           (why.find("choose") == std::string::npos
+                                ? "; take a length, a name such as largest or 6-nearest, or a file"
+                                : ", a length, or a file"));
     }
 }
 

@@ -23,6 +23,36 @@ TEST_CASE("lists: lists are numbers and ranges, whose ends belong to them") {
     CHECK_THROWS_AS((void)whole_numbers("--x", "2.5"), base::InvalidInput);
 }
 
+TEST_CASE("lists: blanks, a plus and a comma at the end are read, in numbers as in names") {
+    CHECK(numbers("--x", " +1, 1.5D-3 ,2,") == std::vector<double>{1, 0.0015, 2});
+    CHECK(numbers("--x", "1 : 1 : +3,") == std::vector<double>{1, 2, 3});
+    CHECK(whole_numbers("--x", "21:1:23 , 30,") == std::vector<long>{21, 22, 23, 30});
+    CHECK(names("--x", "strong, weak1,") == std::vector<std::string>{"strong", "weak1"});
+    CHECK(pair_of("--x", " 16 x 4 ") == std::array<long, 2>{16, 4});
+}
+
+TEST_CASE("lists: what is refused is shown, with how to write it") {
+    struct Case {
+        const char *list, *message;
+    };
+    for (const auto& [list, message] : std::vector<Case>{
+             {",0.3", "--x: ',0.3' has an empty entry; leave the comma beside it out"},
+             {"1,,2", "--x: '1,,2' has an empty entry; leave the comma beside it out"},
+             {",", "--x: ',' has an empty entry; leave the comma beside it out"},
+             {"1,a", "--x: 'a' is no number"},
+             {"1:2", "--x: '1:2' is no range from:step:to of at most 10000 steps"},
+             {"1,1e400", "--x: '1e400' is larger than a double can be, 1.8e308"},
+             {"0,5;0,7", "--x: '0,5;0,7' is separated by semicolons; write points and commas, 0.5,0.7"},
+             {"1;2", "--x: '1;2' is separated by semicolons; write points and commas, 1,2"}}) {
+        const std::string tried = list;
+        CAPTURE(tried);
+        CHECK_THROWS_WITH_AS((void)numbers("--x", list), message, base::InvalidInput);
+    }
+    CHECK_THROWS_WITH_AS((void)names("--x", "strong,,weak1"),
+                         "--x: 'strong,,weak1' has an empty entry; leave the comma beside it out",
+                         base::InvalidInput);
+}
+
 TEST_CASE("lists: a pair of whole numbers") {
     CHECK(pair_of("--x", "16x4") == std::array<long, 2>{16, 4});
     for (const char* bad : {"16", "16x", "x4", "16x4x2", "1.5x2", "1e9x2", "axb"}) {

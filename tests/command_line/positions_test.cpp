@@ -34,9 +34,11 @@ const char* const irregular =
 }  // namespace
 
 TEST_CASE("positions: a number on a line or the first column of a CSV, with comments, blanks and a header") {
-    for (const char* text : {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
-                             "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n",
-                             "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n", "\357\273\2770\n0.25\n1\n"}) {
+    for (const char* text :
+         {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
+          "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n", "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n",
+          "\357\273\2770\n0.25\n1\n", "+0.0\n+0.25\n+1.0D0\n", "0,\n0.25 ,\n1,\n", "u x\n7 0\n7 0.25\n7 1\n",
+          "0 7\n0.25 8\n1 9\n", "-1e-12\n0.25\n1.000000001\n"}) {
         CAPTURE(text);
         const auto x = read(text);
         REQUIRE(x.size() == 3);
@@ -46,6 +48,24 @@ TEST_CASE("positions: a number on a line or the first column of a CSV, with comm
     }
 }
 
+TEST_CASE("positions: a column by its name or its number from 1") {
+    const Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    const particles::Column<double> expected{{0, 0.25, 1}};
+    for (const char* text : {"n,s\n1,0\n2,0.25\n3,1\n", "n s\n1 0\n2 0.25\n3 1\n"}) {
+        report::write_whole(file, text);
+        for (const char* column : {"s", "2"}) CHECK((read_positions(file, {column}) == expected).all());
+    }
+    for (const auto& [column, reason] : std::vector<std::pair<const char*, const char*>>{
+             {"t", "x.csv has no column 't'; its header is 'n s'"},
+             {"0", "x.csv has no column '0'"},
+             {"3", "line 2: '1 0' has no column 3"}})
+        CHECK_THROWS_WITH_AS(static_cast<void>(read_positions(file, {column})), doctest::Contains(reason),
+                             base::InvalidInput);
+    CHECK_THROWS_WITH_AS(static_cast<void>(read_positions(file, {"n", "s"})),
+                         doctest::Contains("one column of positions, not 2"), base::InvalidInput);
+}
+
 TEST_CASE("positions: anything else is refused with its line and its value") {
     struct Case {
         const char *text, *reason;
@@ -53,7 +73,7 @@ TEST_CASE("positions: anything else is refused with its line and its value") {
     const std::vector<Case> all{
         {"", "x.csv holds no position"},
         {"# nothing\nx\n", "x.csv holds no position"},
-        {"0\n0.5\n0.5\n1\n", "line 3: '0.5' does not lie beyond the position before it, 0.5; sort them"},
+        {"0\n0.5\n0.5\n1\n", "line 3: '0.5' coincides with the position before it; leave one of the two out"},
         {"0\n0.6\n# here\n0.5\n1\n", "line 4: '0.5' does not lie beyond the position before it, 0.6"},
         {"0.1\n0.5\n1\n", "line 1: '0.1' is the first position; it must be 0"},
         {"-1\n0\n1\n", "line 1: '-1' is the first position; it must be 0"},
@@ -62,19 +82,28 @@ TEST_CASE("positions: anything else is refused with its line and its value") {
         {"0\nabc\n1\n", "line 2: 'abc' is no number"},
         {"x\ny\n0\n1\n", "line 2: 'y' is no number"},
         {"0\n0.5m\n1\n", "line 2: '0.5m' is no number"},
-        {"0\n0.5 0.6\n1\n", "line 2: '0.5 0.6' is no number"},
+        {"0\n0.5 0.6\n1\n", "line 2: '0.5 0.6' has 2 columns, the first line 1"},
         {"0\n,0.5\n1\n", "line 2: '' is no number"},
         {"0\nnan\n1\n", "line 2: 'nan' is no number"},
         {"0\ninf\n", "line 2: 'inf' is no number"},
-        {"0\n1e999\n", "line 2: '1e999' is no number"},
+        {"0\n1e999\n", "line 2: '1e999' is larger than a double can be"},
         {"0\n\x7F\n1\n", "line 2: '?' is no number"},
+        {"0,0\n0,25\n1,0\n",
+         "line 2: '0' coincides with the position before it; leave one of the two out; if its comma is decimal, write 0.25"},
+        {"0,0\n1,0.5\n2,1\n",
+         "counts its lines in the first column; name the column of positions, --columns 2"},
+        {"1 0\n2 0.5\n3 1\n",
+         "counts its lines in the first column; name the column of positions, --columns 2"},
+        {"0\n0.9999999\n", "line 2: '0.9999999' is the last position; it must be 1"},
     };
     for (const auto& [text, reason] : all) {
         const std::string tried = text;  // clang++ 14 captures no bindings
         CAPTURE(tried);
         CHECK_THROWS_WITH_AS(static_cast<void>(read(text)), doctest::Contains(reason), base::InvalidInput);
     }
-    CHECK_THROWS_AS(static_cast<void>(read_positions("/nowhere/x.csv")), base::FailedComputation);
+    CHECK_THROWS_WITH_AS(static_cast<void>(read_positions("/nowhere/x.csv")),
+                         "--positions: cannot read /nowhere/x.csv: No such file or directory",
+                         base::InvalidInput);
 }
 
 TEST_CASE("positions: in the plane two numbers on a line, between them a comma or blanks") {
@@ -93,18 +122,33 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
         CHECK(x == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
     }
     CHECK(points("# nothing\nx1, x2\n").cols() == 0);
+    CHECK(points("+0,+0.25,\n1D0, 2,\n") == points("0 0.25\n1 2\n"));
+    CHECK(points("x,y,\n0,0.25,\n1,2,\n") == points("0 0.25\n1 2\n"));
+    for (const char* text : {"id,u,v\n1,0,0.25\n2,1,2\n", "id,v,u\n1,0.25,0\n2,2,1\n"}) {
+        report::write_whole(file, text);
+        CHECK(read_points(file, {"u", "v"}) == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
+    }
+    CHECK(read_points(file, {"3", "2"}) == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
+    CHECK_THROWS_WITH_AS(static_cast<void>(read_points(file, {"u"})),
+                         "--columns: a layout has two columns, x,y, not 1", base::InvalidInput);
+    CHECK_THROWS_WITH_AS(static_cast<void>(read_points(file, {"u", "w"})),
+                         doctest::Contains("has no column 'w'; its header is 'id,v,u'"), base::InvalidInput);
     const auto named = (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished();
     CHECK(points("x1,x2,h\n0,0.25,0.1\n1,2,0.1\n") == named);
     CHECK(points("name h \"y\" x # columns\na 0.1 0.25 0\nb 0.1 2 1\n") == named);
     CHECK(points("particles in the plane\n0 0.25\n1 2\n") == named);
     for (const auto& [text, reason] : std::vector<std::pair<const char*, const char*>>{
-             {"0 1\n2\n", "x.csv, line 2: '2' is not two numbers"},
-             {"0 1\n1 2 3\n", "line 2: '1 2 3' is not two numbers"},
-             {"0,1,2\n", "line 1: '0,1,2' is not two numbers"},
-             {"0,,1\n", "line 1: '0,,1' is not two numbers"},
-             {"id,u,v\n1,2,3\n", "line 2: '1,2,3' is not two numbers"},
+             {"0 1\n2\n", "x.csv, line 2: '2' has 1 column, the first line 2"},
+             {"0 1\n1 2 3\n", "line 2: '1 2 3' has 3 columns, the first line 2"},
+             {"0,1,2\n",
+              "line 1: '0,1,2' has 3 columns; a layout needs x,y: choose them, such as --columns 1,2"},
+             {"0,,1\n", "line 1: '0,,1' has 3 columns"},
+             {"id,u,v\n1,2,3\n",
+              "line 2: '1,2,3' has 3 columns; a layout needs x,y: choose them, such as --columns 1,2"},
+             {"1,0.2,0.3\n2,0.4,0.3\n",
+              "line 1: '1,0.2,0.3' has 3 columns; a layout needs x,y: choose them, such as --columns 2,3"},
              {"x,y,h\n0,0,1\n0,1\n", "line 3: '0,1' has 2 columns, the header 3"},
-             {"0,\n", "line 1: '' is no number"},
+             {"0,\n", "line 1: '0,' has 1 column; a layout needs x,y"},
              {",0\n", "line 1: '' is no number"},
              {"0 1, 2\n", "line 1: '0 1' is no number"},
              {"x1 x2\ny1 y2\n", "line 2: 'y1' is no number"},
@@ -173,9 +217,9 @@ TEST_CASE("positions: the programs refuse what does not go together, in one line
         check_refused(command, 2, "x.csv, line 3: '0.4' does not lie beyond the position before it, 0.5");
         for (const std::string option : {"--particles 10", "--perturb 0.1", "--seed 2", "--seeds 2"}) {
             check_refused(command + " " + option, 2, option.substr(0, option.find(' ')));
-            check_refused(command + " " + option, 2, "excludes");
+            check_refused(command + " " + option, 2, " exclude each other; leave one out");
         }
-        check_refused(program + " --positions /nowhere/x.csv", 1, "cannot read /nowhere/x.csv");
+        check_refused(program + " --positions /nowhere/x.csv", 2, "cannot read /nowhere/x.csv");
         check_refused(program + " --smoothing-from least", 2,
                       "there is no spacing 'least'; choose one of mean, largest, local");
     }
@@ -232,8 +276,8 @@ TEST_CASE("positions: smoothing lengths from a number, and from a file with a nu
     const std::string command = "derivative_test --particles 20 --smoothing-from ";
     check_refused("derivative_test --particles 19 --smoothing-from " + file, 2,
                   "h.csv has 20 numbers, for 19 particles");
-    check_refused(command + "-1", 2, "--smoothing-from must be positive and finite, got -1");
-    check_refused(command + "/nowhere/h.csv", 1, "cannot read /nowhere/h.csv");
+    check_refused(command + "-1", 2, "--smoothing-from: '-1' is not positive");
+    check_refused(command + "/nowhere/h.csv", 2, "cannot read /nowhere/h.csv");
     report::write_whole(file, "0.1\n0\n");
     check_refused(command + file, 2, "h.csv, line 2: '0' is not positive");
     check_refused(command + file + " --output " + file, 2, "--smoothing-from");
@@ -286,20 +330,26 @@ TEST_CASE("positions: smoothing lengths from a column of a file, by its name or 
 
 TEST_CASE(
     "positions: a smoothing length is a number in any usual form, and what is neither number, name nor file is refused") {
-    for (const std::string number : {"0.2", "+0.2", " 0.2 ", "2e-1"}) {
+    for (const std::string number : {"0.2", "+0.2", " 0.2 ", "2e-1", "2D-1"}) {
         const auto spacing = spacing_from(number);
         REQUIRE(spacing.kind == particles::Spacing::given);
         CHECK(spacing.lengths[0] == 0.2);
     }
     CHECK(spacing_from(" local ").kind == particles::Spacing::local);
-    for (const std::string wrong : {"2.5-nearest", "0.2m", "0.2,0.3", "least", "-", "+", "++1", ".", "x:h"})
+    for (const std::string wrong : {"2.5-nearest", "least", "x:h", "nan", "inf"})
         CHECK_THROWS_WITH_AS(spacing_from(wrong), doctest::Contains("; choose one of mean, largest, local"),
                              base::InvalidInput);
-    for (const std::string wrong : {"0", "-1", "nan", "inf", "1e999"})
-        CHECK_THROWS_WITH_AS(spacing_from(wrong), doctest::Contains("must be positive and finite"),
+    for (const std::string wrong : {"0.2m", "0.2,0.3", "-", "+", "++1", "."})
+        CHECK_THROWS_WITH_AS(spacing_from(wrong),
+                             doctest::Contains("is no number; take a length, a name such as largest or"),
                              base::InvalidInput);
-    CHECK_THROWS_WITH_AS(spacing_from("h.csv"), doctest::Contains("cannot read h.csv"),
-                         base::FailedComputation);
+    for (const auto& [wrong, why] : std::vector<std::pair<const char*, const char*>>{
+             {"0", "--smoothing-from: '0' is not positive; take a length"},
+             {"-1", "'-1' is not positive"},
+             {"1e999", "'1e999' is larger than a double can be"},
+             {"0,2", "write a decimal comma as a point, 0.2; take a length"}})
+        CHECK_THROWS_WITH_AS(spacing_from(wrong), doctest::Contains(why), base::InvalidInput);
+    CHECK_THROWS_WITH_AS(spacing_from("h.csv"), doctest::Contains("cannot read h.csv"), base::InvalidInput);
     const Folder folder;
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder.path);
