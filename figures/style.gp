@@ -99,6 +99,7 @@ if (user && exists("y_column")) {
     stats table using (note_line(strcol(1))) nooutput
     set datafile separator comma; set datafile commentschars; set datafile columnheaders
     stats table using (note(column(x_column), column(y_column))) nooutput
+    if (columns eq "") { exit error "cannot draw " . table . ": it cannot be read, or has no row of column names" }
     if (curves eq "") {
         exit error "there is nothing to draw: no " . y_column . (signed ? " is a number" : " is positive")
     }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -28,6 +29,23 @@ struct Temporary {
     ~Temporary() { std::remove(path.c_str()); }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
+};
+
+/// While it lives, Ctrl-C and a request to end wait, so that temporary files are removed before.
+class Uninterrupted {
+  public:
+    Uninterrupted() {
+        sigset_t signals;
+        sigemptyset(&signals);
+        for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, number);
+        pthread_sigmask(SIG_BLOCK, &signals, &before_);
+    }
+    ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    Uninterrupted(const Uninterrupted&) = delete;
+    Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+  private:
+    sigset_t before_{};
 };
 
 /// A text between single quotes. \param quote what stands for a single quote within
@@ -99,8 +117,9 @@ void check_plot(const Figure& figure, const std::string& folder) {
 void plot(const Figure& figure, const report::Table& table) {
     const auto& [script, path] = figure;
     if (path.empty()) return;
-    const std::string beside = std::filesystem::absolute(path).string() + ".tmp." + std::to_string(getpid());
-    const Temporary numbers(beside + ".csv"), drawing(beside + ".svg");
+    const Uninterrupted drawing_takes_a_second;
+    const Temporary numbers(report::temporary_beside(path, ".csv")),
+        drawing(report::temporary_beside(path, ".svg"));
     report::write_whole(numbers.path, report::csv(table));
     const std::string variables =
         "table=" + for_gnuplot(numbers.path) + "; output=" + for_gnuplot(drawing.path);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -58,10 +59,15 @@ bool is_appended_to(const std::string& path) {
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
 }
 
-/// The file itself, where the path is a link to it.
+/// The file itself, where the path is a link to it, even if the link leads to a file that is yet to be made.
 std::string behind_links(const std::string& path) {
     std::error_code none;
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none).string();
+    auto file = std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+    constexpr int most_links = 40;  // as the system follows
+    for (int k = 0; k < most_links && std::filesystem::is_symlink(file, none); ++k)
+        file = std::filesystem::weakly_canonical(
+            file.parent_path() / std::filesystem::read_symlink(file, none), none);
+    return file.string();
 }
 
 /// The longest text that is read: a device such as /dev/zero has no end.
@@ -88,6 +94,13 @@ bool write(std::FILE* opened, const std::string& text) {
 }
 
 }  // namespace
+
+std::string temporary_beside(const std::string& path, const std::string& ending) {
+    const std::filesystem::path file = std::filesystem::absolute(path);
+    const std::string mark = ".tmp." + std::to_string(getpid()) + ending;
+    const std::string name = file.filename().string();
+    return (file.parent_path() / (name.substr(0, NAME_MAX - mark.size()) + mark)).string();
+}
 
 void check_writable(const std::string& path) {
     if (is_standard_output(path)) return;
@@ -122,7 +135,7 @@ void write_whole(const std::string& path, const std::string& text) {
         if (!write(std::fopen(path.c_str(), "ab"), text)) fail("write", path);
         return;
     }
-    const std::string target = behind_links(path), temporary = target + ".tmp." + std::to_string(getpid());
+    const std::string target = behind_links(path), temporary = temporary_beside(target);
     std::error_code none;
     const auto before = std::filesystem::status(target, none);
     bool written = write(std::fopen(temporary.c_str(), "wb"), text);

@@ -10,10 +10,13 @@ namespace report {
 /// \throws base::FailedComputation naming the file and the system's reason
 void check_writable(const std::string& path);
 
+/// A name for a temporary file in the folder of another, as long as names may be. \param ending such as .csv
+std::string temporary_beside(const std::string& path, const std::string& ending = "");
+
 /// Writes a text to a file as a whole: to a temporary file beside it, which is renamed when it is complete.
 /// Until then an existing file stays as it is. Devices and pipes are appended to instead, and open files
 /// (/dev/fd/3) are written where they stand.
-/// \param path as above; of a link to an existing file, that file is replaced
+/// \param path as above; of a link, the file to which it leads is replaced or made
 /// \throws base::FailedComputation naming the file and the system's reason
 void write_whole(const std::string& path, const std::string& text);
 

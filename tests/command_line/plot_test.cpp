@@ -118,6 +118,39 @@ TEST_CASE("plot: a drawing that the disk has no room for is no figure" *
     CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("plot: a table that cannot be drawn is written all the same") {
+    const Folder folder;
+    const std::string table = folder.path + "/table.csv",
+                      command = "derivative_test --function 0 --particles 20,40";
+    const auto drawn = run(command + " --output " + table + " --plot " + folder.path + "/figure.svg");
+    CHECK(drawn.code == 1);
+    CHECK(holds(drawn.errors, "cannot draw "));
+    CHECK(report::read_whole(table) == run(command).output);
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("plot: a script alone says which table it cannot read") {
+    CHECK(holds(
+        run("gnuplot -e \"table='/nowhere.csv'; output='/dev/null'\" figures/asprone2010/figure_1.gp").errors,
+        "cannot draw /nowhere.csv: it cannot be read, or has no row of column names"));
+}
+
+TEST_CASE("plot: a request to end while gnuplot draws waits until temporary files are removed") {
+    const Folder folder, programs;
+    report::write_whole(
+        programs.path + "/gnuplot",
+        "#!/bin/sh\n[ $1 = --version ] && exit\nuntil [ -s $0.pid ]; do sleep 0.01; done\nkill -TERM "
+        "$(cat $0.pid)\nls " +
+            folder.path + " > $0.seen\n");
+    std::filesystem::permissions(programs.path + "/gnuplot", std::filesystem::perms::owner_all);
+    const auto ended =
+        run("PATH=" + programs.path + ":$PATH; derivative_test --particles 20 --output /dev/null --plot " +
+            folder.path + "/a.svg & echo $! > " + programs.path + "/gnuplot.pid; wait $!; echo $?");
+    CHECK(ended.output == "143\n");
+    CHECK(holds(report::read_whole(programs.path + "/gnuplot.seen"), "a.svg.tmp."));
+    CHECK(folder.entries() == 0);
+}
+
 TEST_CASE("plot: gnuplot that is missing or complains is an error, and leaves nothing behind") {
     const Folder folder;
     const std::string file = folder.path + "/figure.svg";

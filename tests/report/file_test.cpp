@@ -76,7 +76,32 @@ TEST_CASE("file: a link is followed and stays a link; a device stays a device") 
     close(reader);
 }
 
-TEST_CASE("file: an existing file keeps who may read it, and a link that leads nowhere is refused") {
+TEST_CASE("file: a link to a file that is yet to be made stays a link, and the file is made") {
+    const Folder folder;
+    const std::string target = folder.path + "/target.csv", link = folder.path + "/link.csv",
+                      second = folder.path + "/second.csv", lost = folder.path + "/lost.csv";
+    std::filesystem::create_symlink("target.csv", link);
+    std::filesystem::create_symlink(link, second);
+    report::write_whole(second, "new");
+    CHECK(std::filesystem::is_symlink(second));
+    CHECK(std::filesystem::is_symlink(link));
+    CHECK(report::read_whole(target) == "new");
+    std::filesystem::create_symlink("none/target.csv", lost);
+    CHECK_THROWS_WITH_AS(report::check_writable(lost), doctest::Contains("No such file or directory"),
+                         base::FailedComputation);
+}
+
+TEST_CASE("file: a name may be as long as names can be") {
+    const Folder folder;
+    const std::string longest = folder.path + "/" + std::string(255, 'x');
+    report::write_whole(longest, "text");
+    CHECK(report::read_whole(longest) == "text");
+    CHECK_THROWS_WITH_AS(report::check_writable(longest + "x"), doctest::Contains("File name too long"),
+                         base::FailedComputation);
+    CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("file: an existing file keeps who may read it, and a link to itself is refused") {
     using std::filesystem::perms;
     const Folder folder;
     const std::string target = folder.path + "/target.csv", loop = folder.path + "/loop.csv";
