@@ -94,13 +94,20 @@ struct Material {
     Plane plane = Plane::stress;
 };
 
-/// \throws base::InvalidInput unless E > 0 and −1 < ν < 1/2 (plane stress: ν ≤ 1/2), all finite
+/// \throws base::InvalidInput unless E > 0 and −1 < ν ≤ 1/2, all finite; in plane strain ν must stay off 1/2 by
+///         10⁻¹², since stresses are strains over 1 − 2ν
 inline Material checked(const Material& material) {
     const auto& [E, nu, plane] = material;
     if (!(std::isfinite(E) && E > 0))
         throw base::InvalidInput("Young's modulus must be positive and finite, got " + base::shown(E));
-    if (!(nu > -1 && (plane == Plane::stress ? nu <= 0.5 : nu < 0.5)))
-        throw base::InvalidInput("Poisson's ratio must lie above -1 and below 0.5, got " + base::shown(nu));
+    if (!(nu > -1 && nu <= 0.5))
+        throw base::InvalidInput("Poisson's ratio must lie above -1 and be at most 0.5, got " +
+                                 base::shown(nu));
+    if (plane == Plane::strain && nu > 0.5 - 1e-12)
+        throw base::InvalidInput(
+            "Poisson's ratio of " + base::shown(nu, 17) +
+            " is too near to 0.5 for plane strain, whose stresses are strains over 1 - 2 nu; "
+            "take at most 0.499999999999, or plane stress");
     return material;
 }
 

@@ -68,6 +68,12 @@ TEST_CASE("elastostatics: materials without meaning are refused") {
                          base::InvalidInput);
     CHECK_THROWS_AS(checked({1, 0.6}), base::InvalidInput);
     CHECK_THROWS_AS(checked({1, 0.5, Plane::strain}), base::InvalidInput);
+    CHECK_THROWS_WITH_AS(
+        checked({1, 0.4999999999999999, Plane::strain}),
+        doctest::Contains("Poisson's ratio of 0.49999999999999989 is too near to 0.5 for plane strain"),
+        base::InvalidInput);
+    CHECK_NOTHROW(checked({1, 0.499999999999, Plane::strain}));
+    CHECK_NOTHROW(checked({1, 0.4999999999999999, Plane::stress}));
     CHECK_THROWS_AS(checked({1, std::nan("")}), base::InvalidInput);
     CHECK_THROWS_WITH_AS(plane_named("flat"), doctest::Contains("choose one of stress, strain"),
                          base::InvalidInput);
