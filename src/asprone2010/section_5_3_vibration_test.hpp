@@ -163,5 +163,22 @@ inline std::vector<std::complex<double>> finite_element_frequencies(const Line<d
     return omega;
 }
 
+/// D² of linear finite elements with lumped masses, \f$-\mathbf{M}^{-1}\mathbf{K}\f$, between the same
+/// particles: with it \eq{A52} is their eigenvalue problem. The rows of the ends are empty.
+inline Operator<double> lumped_second_derivative(const Line<double>& line) {
+    const Index N = line.size();
+    Operator<double> D2(N, N);
+    D2.reserve(Eigen::VectorXi::Constant(N, 3));
+    for (Index i = 1; i + 1 < N; ++i) {
+        const double before = line.x()[i] - line.x()[i - 1], behind = line.x()[i + 1] - line.x()[i],
+                     mass = (before + behind) / 2;
+        D2.insert(i, i - 1) = 1 / before / mass;
+        D2.insert(i, i) = -(1 / before + 1 / behind) / mass;
+        D2.insert(i, i + 1) = 1 / behind / mass;
+    }
+    D2.makeCompressed();
+    return D2;
+}
+
 }  // namespace vibration_test
 }  // namespace asprone2010

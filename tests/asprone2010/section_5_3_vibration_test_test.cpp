@@ -149,3 +149,18 @@ TEST_CASE("5.3: finite elements match their closed forms, lumped and consistent"
               support::relative(std::sqrt(6 * (1 - c) / (2 + c)) / l, 1e-10));
     }
 }
+
+TEST_CASE(
+    "5.3: the lowest modes of lumped finite elements are those of the whole spectrum, on any particles") {
+    for (const Index N : {60, 5}) {
+        numerical_tests::Discretisation how;
+        how.perturbation = 0.25;
+        const auto line = numerical_tests::discretise<double>(how, N, 3).line;
+        const auto all = finite_element_frequencies(line, Mass::lumped);
+        const auto lowest = lowest_modes(lumped_second_derivative(line), std::min<Index>(N - 4, 8));
+        for (std::size_t n = 0; n < lowest.size(); ++n) {
+            CHECK(lowest[n].frequency.real() == support::relative(all[n].real(), 1e-10));
+            CHECK(lowest[n].residual < 1e-9);
+        }
+    }
+}
