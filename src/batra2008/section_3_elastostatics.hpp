@@ -94,8 +94,8 @@ struct Material {
     Plane plane = Plane::stress;
 };
 
-/// \throws base::InvalidInput unless E > 0 and −1 < ν ≤ 1/2, all finite; in plane strain ν must stay off 1/2 by
-///         10⁻¹², since stresses are strains over 1 − 2ν
+/// \throws base::InvalidInput unless E > 0 and −1 < ν ≤ 1/2, all finite; in plane strain ν must stay off 1/2
+///         by 10⁻¹², since stresses are strains over 1 − 2ν
 inline Material checked(const Material& material) {
     const auto& [E, nu, plane] = material;
     if (!(std::isfinite(E) && E > 0))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -11,12 +12,13 @@
 #include "command_line/formulations.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/positions.hpp"
-#include "command_line/progress.hpp"
+#include "command_line/sweep.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
 
 namespace command_line {
 
+using base::Index;
 using base::InvalidInput;
 using report::Cell;
 
@@ -30,6 +32,13 @@ std::vector<std::string> known_formulations(const std::vector<std::string>& extr
     for (const auto& formulation : formulations()) names.emplace_back(formulation.name);
     names.insert(names.end(), extra.begin(), extra.end());
     return names;
+}
+
+/// "50", "10 to 2560, 33 numbers"
+std::string counts_in_words(const std::vector<long>& N) {
+    return std::to_string(N.front()) +
+           (N.size() == 1 ? ""
+                          : " to " + std::to_string(N.back()) + ", " + std::to_string(N.size()) + " numbers");
 }
 
 /// "h/delta 1", "h/largest spacing 1.5", "h = 0.06", "h 2 times the numbers of h.txt"
@@ -88,13 +97,18 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
                  "formulations: all (default), or some of " + joined(known_formulations(extra)));
     const auto counts =
         app.add_list("--particles", options.particles,
-                     "numbers of particles N: a list such as 10,20,40 or a range from:step:to");
+                     "numbers of particles N: a list such as 10,20,40 or a range from:step:to (default " +
+                         counts_in_words(options.particles) + ")");
     const auto positions =
         app.add_option(
                "--positions", options.positions_file,
-               "particles of a file instead: one position per line, or in the first column of a CSV, increasing from 0 to 1")
+               "particles of a file instead: one position per line, or in a column of a CSV, increasing from 0 to 1")
             .type_name("FILE")
             .excludes(counts);
+    app.add_list(
+           "--columns", options.columns,
+           "the column of these positions, by its name or its number from 1 (default: x, else the first)")
+        .type_name("NAME|NUMBER");
     app.add_option(
            "--volumes", options.volumes,
            "particle volumes: equal (the spacing for each; default) or partition (half of it at the ends)")
@@ -118,10 +132,12 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
         .type_name("K")
         .excludes(positions)
         .within(1, 1000000);
-    app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
     app.add_threads(options.threads);
     app.add_output(options.output);
-    add_plot_option(app, options.figure);
+}
+
+void add_median(CommandLine& app, Options& options) {
+    app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
 }
 
 void add_precision(CommandLine& app, Options& options) {
@@ -183,13 +199,32 @@ asprone2010::numerical_tests::Discretisation discretisation_of(const Options& op
             options.smoothing, one.perturbation, options.spacing};
 }
 
+namespace {
+
+/// The failure of cases that differ in their seeds only, if one fails.
+std::optional<Failure> failure_among(const std::vector<Attempt>& attempts, const std::vector<Case>& all,
+                                     std::size_t first, std::size_t last) {
+    const auto failed = [](const Attempt& attempt) { return attempt.failure.has_value(); };
+    const auto begin = attempts.begin() + static_cast<Index>(first),
+               end = attempts.begin() + static_cast<Index>(last);
+    const auto found = std::find_if(begin, end, failed);
+    if (found == end || last - first == 1) return found == end ? std::nullopt : found->failure;
+    const Case& one = all[static_cast<std::size_t>(found - attempts.begin())];
+    return Failure{std::to_string(std::count_if(begin, end, failed)) + " of " + std::to_string(last - first) +
+                       " seeds fail, first seed " + std::to_string(one.seed) + ": " + found->failure->reason,
+                   found->failure->invalid};
+}
+
+}  // namespace
+
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<Cell>(const Case&)>& compute) {
     const std::vector<Case> all = cases(options);
-    const std::vector<std::vector<Cell>> numbers = computed_in_parallel(all, compute);
+    const std::vector<Attempt> attempts = attempts_in_parallel(all, compute);
 
     const std::vector<report::ColumnHead> measured = table.columns;
     table.columns = {{"formulation"}, {"particles"}, {"spacing"}, {"perturbation"}, {"seed"}};
+    Sweep sweep(table, table.columns.size());
     table.columns.insert(table.columns.end(), measured.begin(), measured.end());
     if (options.median) {
         table.columns.push_back({"seeds"});
@@ -205,11 +240,18 @@ void tabulate(report::Table& table, const Options& options,
         const auto [perturbation, seed] = perturbation_and_seed(options, one);
         std::vector<Cell> row{one.formulation, static_cast<long>(one.particles),
                               1.0 / static_cast<double>(one.particles - 1), perturbation, seed};
+        const std::size_t first = k;
+        k += seeds;
+        if (const auto failure = failure_among(attempts, all, first, k)) {
+            sweep.add_failed(std::move(row), *failure);
+            continue;
+        }
         std::vector<Cell> spread{static_cast<long>(seeds)};
         for (std::size_t column = 0; column < measured.size(); ++column) {
             std::vector<double> sample;
-            for (std::size_t s = k; s < k + seeds; ++s)
-                if (const auto* number = std::get_if<double>(&numbers[s][column])) sample.push_back(*number);
+            for (std::size_t s = first; s < k; ++s)
+                if (const auto* number = std::get_if<double>(&attempts[s].numbers[column]))
+                    sample.push_back(*number);
             if (sample.size() < seeds) {  // no interior particle, say
                 row.emplace_back();
                 spread.insert(spread.end(), 2, Cell());
@@ -220,9 +262,9 @@ void tabulate(report::Table& table, const Options& options,
             spread.insert(spread.end(), {lower, upper});
         }
         if (options.median) row.insert(row.end(), spread.begin(), spread.end());
-        table.rows.push_back(std::move(row));
-        k += seeds;
+        sweep.add({row});
     }
+    sweep.finish();
 }
 
 std::vector<std::string> header_comments(const Options& options) {
@@ -254,11 +296,14 @@ int run(CommandLine& app, int argc, char** argv, Options& options,
             check_apart({{"--output", options.output},
                          {"--plot", options.figure.path},
                          {"--smoothing-from", named_file(options.smoothing_from).path}});
+        if (!options.columns.empty() && !options.positions_file)
+            throw InvalidInput(
+                "--columns belongs to the file of --positions; add it, or leave --columns out");
         if (options.positions_file) {
             check_apart({{"--output", options.output},
                          {"--plot", options.figure.path},
                          {"--positions", *options.positions_file}});
-            options.positions = read_positions(*options.positions_file);
+            options.positions = read_positions(*options.positions_file, options.columns);
             options.particles = {static_cast<long>(options.positions.size())};
         }
         return compute();

@@ -18,6 +18,7 @@ struct Options {
     std::vector<std::string> formulations{"all"};
     std::vector<long> particles;
     std::optional<std::string> positions_file;
+    std::vector<std::string> columns;     ///< of the positions in the file
     particles::Column<double> positions;  ///< from the file, once it is read
     std::string volumes = "equal";
     std::string kernel = "gaussian";
@@ -37,9 +38,12 @@ struct Options {
 /// Numbers of particles from 10 to 2560, four for each doubling.
 std::vector<long> four_a_doubling();
 
-/// Adds the options of a numerical test to its command line.
+/// Adds the options of a numerical test to its command line. The numbers of particles have their default.
 /// \param extra names that the program takes beside those of the formulations, such as fem_lumped
 void add_options(CommandLine& app, Options& options, const std::vector<std::string>& extra = {});
+
+/// Adds --median, for a program whose cases have one row each.
+void add_median(CommandLine& app, Options& options);
 
 /// Adds --precision, for a program that computes in any.
 void add_precision(CommandLine& app, Options& options);
@@ -76,7 +80,7 @@ asprone2010::numerical_tests::Particles<Scalar> line_of(const Options& options, 
 /// Computes the numbers of every case in parallel, with progress on a terminal, and adds a row for each to
 /// the table, behind the columns formulation, particles, spacing, perturbation and seed. With --median, the
 /// seeds of a case become one row: medians, the number of seeds, then lower and upper quartile of each
-/// number.
+/// number. Cases that fail keep their rows, as Sweep says.
 /// \param compute the numbers of a case, one for each column of the table; an empty cell stays empty
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);

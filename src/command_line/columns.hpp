@@ -9,7 +9,7 @@
 namespace command_line {
 
 /// A file of numbers in columns, between which are commas or blanks. # starts a comment; a first line that
-/// begins with a letter or a quote is a header that names the columns. A comma may stand at the end of a line.
+/// begins with a letter or a quote is a header that names the columns. A comma may end a line.
 class Columns {
   public:
     /// A line that is neither blank nor a comment.
@@ -22,7 +22,8 @@ class Columns {
     };
 
     /// Reads a file. \param option that names the file, for messages
-    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas and semicolons, each with what to do
+    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas and semicolons, each with
+    ///         what to do
     Columns(std::string option, std::string path);
     Columns(const Columns&) = delete;
     Columns& operator=(const Columns&) = delete;

@@ -54,16 +54,17 @@ example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
     return solution;
 }
 
-/// Adds a row for each place: the cells that name the case, then displacements and stresses, computed and
-/// exact.
-void add_states(report::Table& table, const std::vector<Cell>& named, const Solved& solved,
-                const std::vector<Point<2>>& places) {
+using Rows = std::vector<std::vector<Cell>>;
+
+/// A row for each place: the cells that name the case, then displacements and stresses, computed and exact.
+Rows state_rows(const std::vector<Cell>& named, const Solved& solved, const std::vector<Point<2>>& places) {
     const Problem& problem = solved.problem;
     std::vector<example_problems::State> states(places.size());
     base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
         states[at] = example_problems::state_at(solved.cloud, solved.solution, places[at]);
     });
+    Rows rows;
     for (std::size_t k = 0; k < places.size(); ++k) {
         std::vector<Cell> row = named;
         const Vector u = problem.exact.u(places[k]);
@@ -73,8 +74,9 @@ void add_states(report::Table& table, const std::vector<Cell>& named, const Solv
         for (const double number : states[k].stress) row.emplace_back(number);
         for (const double number : u) row.emplace_back(number);
         for (const double number : stress) row.emplace_back(number);
-        table.rows.push_back(std::move(row));
+        rows.push_back(std::move(row));
     }
+    return rows;
 }
 
 }  // namespace
@@ -225,17 +227,21 @@ FieldFile::FieldFile(std::string path, const std::vector<ExampleCase>& cases) : 
     for (const auto& column : state_columns(cases)) table_.columns.push_back(column);
 }
 
-void FieldFile::add(const ExampleCase& one, const Solved& solved) {
+void FieldFile::require_same(const Points<2>& x) {
     if (path_.empty()) return;
-    const Points<2>& x = solved.cloud.x();
-    if (table_.rows.empty()) x_ = x;
+    if (x_.cols() == 0) x_ = x;
     if (x.cols() != x_.cols() || x != x_)
         throw InvalidInput("--field holds one set of particles; ask for one at a time");
+}
+
+void FieldFile::add(const ExampleCase& one, const Solved& solved) {
+    if (path_.empty()) return;
     std::vector<Cell> cells = case_cells(one);
-    cells[1] = static_cast<long>(x.cols());
-    const std::vector<Point<2>> places = places_at(x);
+    cells[1] = static_cast<long>(x_.cols());
+    const std::vector<Point<2>> places = places_at(x_);
     const std::size_t first = table_.rows.size();
-    add_states(table_, cells, solved, places);
+    const Rows rows = state_rows(cells, solved, places);
+    table_.rows.insert(table_.rows.end(), rows.begin(), rows.end());
 
     const auto array = [&](const std::string& name, const std::string& kind,
                            const std::vector<const char*>& from, std::size_t zeros) {
@@ -281,18 +287,20 @@ void FieldFile::write() const {
     }
     const std::string count = std::to_string(x_.cols());
     std::string text = "# vtk DataFile Version 3.0\n" + table_.comments.front() +
-                       "\nASCII\nDATASET POLYDATA\nPOINTS " + count + " double\n";
+                       "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + count + " double\n";
     for (Index I = 0; I < x_.cols(); ++I)
         text += base::shown(x_(0, I), 17) + " " + base::shown(x_(1, I), 17) + " 0\n";
-    text += "VERTICES " + count + " " + std::to_string(2 * x_.cols()) + "\n";
+    text += "CELLS " + count + " " + std::to_string(2 * x_.cols()) + "\n";  // a vertex for each particle
     for (Index I = 0; I < x_.cols(); ++I) text += "1 " + std::to_string(I) + "\n";
+    text += "CELL_TYPES " + count + "\n";
+    for (Index I = 0; I < x_.cols(); ++I) text += "1\n";
     report::write_whole(path_, text + "POINT_DATA " + count + "\n" + vtk_);
 }
 
 ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<ExampleCase>& cases,
                            const std::string& about, const std::vector<report::ColumnHead>& layout,
                            const std::vector<report::ColumnHead>& errors)
-    : options_(options), field_(options.field, cases) {
+    : options_(options), field_(options.field, cases), sweep_(table_, case_columns().size() + layout.size()) {
     table_.comments = {
         about,
         "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 of (4.4), dn the difference of the norms, nd the norm of the difference"};
@@ -309,25 +317,30 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
 
 void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Cloud<2>& cloud,
                        const std::vector<Cell>& layout, const Places& places, const Errors& errors) {
-    check_lengths(one.how.smoothing_from, options_.smoothing_from, cloud.size());
-    Cost cost;
-    const example_problems::Solution solution = solved(problem, cloud, one.how, cost);
-    const Solved found{problem, cloud, solution};
-    field_.add(one, found);
-
-    std::vector<Cell> row = case_cells(one);
-    row[1] = static_cast<long>(cloud.size());
-    row.insert(row.end(), layout.begin(), layout.end());
-    if (!options_.states.empty()) {
-        add_states(table_, row, found, places(cloud));
-        return;
-    }
-    for (const Cell& cell : errors(found)) row.push_back(cell);
-    if (options_.seconds) row.insert(row.end(), {cost.assembly, cost.solution, cost.megabytes});
-    table_.rows.push_back(std::move(row));
+    field_.require_same(cloud.x());
+    std::vector<Cell> named = case_cells(one);
+    named[1] = static_cast<long>(cloud.size());
+    named.insert(named.end(), layout.begin(), layout.end());
+    sweep_.attempt(named, [&] {
+        check_lengths(one.how.smoothing_from, options_.smoothing_from, cloud.size());
+        Cost cost;
+        const example_problems::Solution solution = solved(problem, cloud, one.how, cost);
+        const Solved found{problem, cloud, solution};
+        Rows rows{named};
+        if (!options_.states.empty()) {
+            rows = state_rows(named, found, places(cloud));
+        } else {
+            for (const Cell& cell : errors(found)) rows[0].push_back(cell);
+            if (options_.seconds)
+                rows[0].insert(rows[0].end(), {cost.assembly, cost.solution, cost.megabytes});
+        }
+        field_.add(one, found);
+        return rows;
+    });
 }
 
 report::Table ExampleTable::finished() {
+    sweep_.finish();
     field_.write();
     return std::move(table_);
 }

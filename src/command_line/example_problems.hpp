@@ -7,6 +7,7 @@
 #include "batra2008/section_4_example_problems.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/plot.hpp"
+#include "command_line/sweep.hpp"
 #include "report/table.hpp"
 
 namespace command_line {
@@ -68,13 +69,16 @@ std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& ca
 std::vector<batra2008::Point<2>> places_at(const batra2008::Points<2>& x);
 
 /// `--field`: displacements and stresses at the particles, computed and exact. The file's name decides the
-/// format: .vtk for ParaView (legacy format), else CSV. It is written once all solutions are known.
+/// format: .vtk for ParaView (legacy unstructured grid, a vertex for each particle), else CSV. It is written
+/// once all solutions are known.
 class FieldFile {
   public:
     /// \param cases what will be added \throws base::FailedComputation for a file that could not be written
     ///         in the end
     FieldFile(std::string path, const std::vector<ExampleCase>& cases);
-    /// \throws base::InvalidInput for solutions on other particles than the first
+    /// \throws base::InvalidInput for other particles than the first
+    void require_same(const batra2008::Points<2>& x);
+    /// Adds a solution on these particles.
     void add(const ExampleCase& one, const Solved& solved);
     void write() const;
 
@@ -101,19 +105,22 @@ class ExampleTable {
     /// Adds a line above the table.
     void add_comment(const std::string& words) { table_.comments.push_back(words); }
 
-    /// Solves a problem on a cloud, and adds its rows.
+    /// Solves a problem on a cloud, and adds its rows; where that fails, one row with the reason, as Sweep
+    /// says.
     /// \param layout cells of the columns that name the particles \param places those of `--states`
     /// \param errors cells of the columns of the errors
     void add(const ExampleCase& one, const batra2008::Problem& problem, const batra2008::Cloud<2>& cloud,
              const std::vector<report::Cell>& layout, const Places& places, const Errors& errors);
 
-    /// The whole table; the file of `--field` is written.
+    /// The whole table; the file of `--field` is written with what could be solved.
+    /// \throws as Sweep::finish()
     report::Table finished();
 
   private:
     ExampleOptions options_;
     FieldFile field_;
     report::Table table_;
+    Sweep sweep_;
 };
 
 }  // namespace command_line

@@ -16,8 +16,8 @@ long whole_number(const std::string& option, const std::string& text);
 /// \throws base::InvalidInput for an empty entry
 std::vector<std::string> names(const std::string& option, const std::string& list);
 
-/// The numbers of a list such as 3,3.5,4 or 2:0.1:4, a range from:step:to whose ends belong to it. Entries may
-/// be mixed; a comma may stand at the end, and blanks around each number.
+/// The numbers of a list such as 3,3.5,4 or 2:0.1:4, a range from:step:to whose ends belong to it. Entries
+/// may be mixed; a comma may stand at the end, and blanks around each number.
 /// \param option the option that the list belongs to, for the message
 /// \throws base::InvalidInput showing the entry that is neither a number nor a range of at most 10000 steps;
 ///         for a list with semicolons, how to write it

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/errors.hpp"
+#include "command_line/sweep.hpp"
 #include "report/file.hpp"
 
 namespace command_line {
@@ -49,9 +50,9 @@ int run(CommandLine& app, int argc, char** argv, const int& threads, const std::
         if (drawn) check_plot(figure);
         if (threads > 0) omp_set_num_threads(threads);
         const report::Table table = compute();
-        const std::string text = report::csv(table);
-        if (drawn) plot(figure, table);  // the more likely one to fail goes first
-        report::write_whole(output, text);
+        report::write_whole(output, report::csv(table));
+        if (drawn) plot(figure, without_failures(table));
+        if (!table.incomplete.empty()) throw base::FailedComputation(table.incomplete);
         return 0;
     });
 }

@@ -11,14 +11,15 @@ namespace command_line {
 /// Positions of particles on a line from a file, as Columns reads it: in its only column, that of the name x,
 /// or the first.
 /// \param columns the name of another column, or its number from 1; empty for none
-/// \return strictly increasing, from 0 to 1 [length]; a first and a last one nearer to 0 and 1 than 1e-8 are put there
-/// \throws base::InvalidInput naming file, line and value of any other position, and a first column that counts
-///         the lines
+/// \return strictly increasing, from 0 to 1 [length]; a first and a last one nearer to 0 and 1 than 1e-8 are
+///         put there
+/// \throws base::InvalidInput naming file, line and value of any other position, and a first column that
+///         counts the lines
 particles::Column<double> read_positions(const std::string& path,
                                          const std::vector<std::string>& columns = {});
 
-/// Positions of particles in the plane from a file, as Columns reads it: x₁ and x₂ in its only two columns, or
-/// in those that the header names x1 and x2, or x and y.
+/// Positions of particles in the plane from a file, as Columns reads it: x₁ and x₂ in its only two columns,
+/// or in those that the header names x1 and x2, or x and y.
 /// \param columns names of two other columns, or their numbers from 1; empty for none
 /// \return in the order of the file [length]
 /// \throws base::InvalidInput naming file, line and value of any line that is not two numbers, or has not the
@@ -37,8 +38,8 @@ NamedFile named_file(const std::string& text);
 /// particles::spacing_named(); or a file with a number for each particle in their order, FILE or FILE:COLUMN
 /// with the column's name in the header or its number from 1. What has a slash, or begins with a letter and
 /// has a dot, is a file.
-/// \throws base::InvalidInput for another name, a file that cannot be read, and a number that is not positive,
-///         naming file and line
+/// \throws base::InvalidInput for another name, a file that cannot be read, and a number that is not
+///         positive, naming file and line
 particles::Spacing spacing_from(const std::string& text);
 
 /// \param text what `--smoothing-from` said

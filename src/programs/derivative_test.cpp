@@ -66,6 +66,8 @@ int main(int argc, char** argv) {
     options.particles = command_line::four_a_doubling();
     options.figure = {"asprone2010/figure_1.gp"};
     command_line::add_options(app, options);
+    command_line::add_median(app, options);
+    command_line::add_plot_option(app, options.figure);
 
     std::optional<std::string> function;
     app.add_option(

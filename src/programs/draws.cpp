@@ -11,6 +11,7 @@
 #include "command_line/formulations.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
+#include "command_line/sweep.hpp"
 #include "report/statistics.hpp"
 
 namespace {
@@ -25,39 +26,49 @@ struct Draws {
     unsigned long seeds = 1000;
 };
 
-/// Errors of DB, D²B and u for exp on every draw of perturbed particles, each in increasing order.
+/// Errors of DB, D²B and u for exp on one draw of perturbed particles.
+std::array<double, 3> errors_of(const Formulation<double>& formulation, const Draws& draws,
+                                unsigned long seed) {
+    numerical_tests::Discretisation how;
+    how.perturbation = draws.perturbation;
+    const auto discrete = numerical_tests::discretise<double>(how, draws.particles, seed);
+    const auto derivatives = derivative_test::errors(formulation, discrete, derivative_test::exponential());
+    return {derivatives.first, derivatives.second,
+            static_test::error(formulation, discrete, static_test::exponential_load())};
+}
+
+/// These errors on every draw, each in increasing order. \throws base::FailedComputation naming the seed
 std::array<std::vector<double>, 3> sorted_errors(const std::string& name, const Draws& draws) {
     const auto& formulation = command_line::formulation_named(name);
     std::array<std::vector<double>, 3> errors;
     for (auto& sample : errors) sample.resize(draws.seeds);
     base::for_each_index(static_cast<Index>(draws.seeds), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
-        numerical_tests::Discretisation how;
-        how.perturbation = draws.perturbation;
-        const auto discrete = numerical_tests::discretise<double>(how, draws.particles, at + 1);
-        const auto derivatives =
-            derivative_test::errors(formulation, discrete, derivative_test::exponential());
-        errors[0][at] = derivatives.first;
-        errors[1][at] = derivatives.second;
-        errors[2][at] = static_test::error(formulation, discrete, static_test::exponential_load());
+        try {
+            const auto found = errors_of(formulation, draws, at + 1);
+            for (std::size_t which = 0; which < 3; ++which) errors[which][at] = found[which];
+        } catch (const base::FailedComputation& error) {
+            throw base::FailedComputation("seed " + std::to_string(at + 1) + ": " + error.what());
+        }
     });
     for (auto& sample : errors) std::sort(sample.begin(), sample.end());
     return errors;
 }
 
 /// A row for each percentile of the three errors of a formulation.
-void add_percentiles(report::Table& table, const std::string& formulation, const Draws& draws) {
+std::vector<std::vector<report::Cell>> percentiles(const std::string& formulation, const Draws& draws) {
     const auto errors = sorted_errors(formulation, draws);
+    std::vector<std::vector<report::Cell>> rows;
     for (long percent = 0; percent <= 100; ++percent) {
         const auto quantile = [&](const std::vector<double>& sample) {
             return report::quantile_of_sorted(sample, static_cast<double>(percent) / 100);
         };
-        table.rows.push_back(
-            {formulation, percent, quantile(errors[0]), quantile(errors[1]), quantile(errors[2])});
+        rows.push_back({formulation, percent, quantile(errors[0]), quantile(errors[1]), quantile(errors[2])});
     }
+    return rows;
 }
 
-report::Table percentiles(const Draws& draws) {
+report::Table table_of(const Draws& draws) {
     const numerical_tests::Discretisation how;
     command_line::check_line(draws.particles, particles::support<double>(how.kernel) * how.smoothing);
     report::Table table;
@@ -71,9 +82,11 @@ report::Table percentiles(const Draws& draws) {
                      {"error_first", {1e-6, 1e-12}},
                      {"error_second", {1e-6, 2e-10}},
                      {"error_displacement", {1e-6, 5e-10}}};
+    command_line::Sweep sweep(table, 1);
     for (const std::string& name :
          command_line::chosen("formulation", draws.formulations, command_line::formulation_names()))
-        add_percentiles(table, name, draws);
+        sweep.attempt({name}, [&] { return percentiles(name, draws); });
+    sweep.finish();
     return table;
 }
 
@@ -99,5 +112,5 @@ int main(int argc, char** argv) {
     command_line::Figure figure{"asprone2010/figure_draws.gp"};
     command_line::add_plot_option(app, figure);
 
-    return command_line::run(app, argc, argv, threads, output, figure, [&] { return percentiles(draws); });
+    return command_line::run(app, argc, argv, threads, output, figure, [&] { return table_of(draws); });
 }

@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "batra2008/section_4_2_hole.hpp"
 #include "command_line/example_problems.hpp"
 #include "command_line/lists.hpp"
@@ -24,6 +26,7 @@ using report::Cell;
 /// What the hole can be asked beside what both example problems can.
 struct Options : command_line::ExampleOptions {
     std::vector<std::string> layouts{"graded-188-11"};
+    std::vector<std::string> columns;  ///< of the positions in files
     std::vector<double> radii{0.3};
     unsigned long draw = 1, draws = 1;
     double snap = 0;
@@ -53,8 +56,7 @@ std::optional<std::array<long, 2>> counts(const std::string& name, const std::st
 }
 
 /// A layout of a file, its particles moved onto the boundary as `--snap` says.
-Layout layout_of_file(const std::string& name, const hole::Shape& shape, double snap) {
-    Points<2> x = command_line::read_points(name);
+Layout layout_of_file(const std::string& name, Points<2> x, const hole::Shape& shape, double snap) {
     if (snap == 0) return {name, std::move(x), false};
     const auto boundary = elastostatics::region(hole::problem({hole::E, hole::nu}, shape));
     auto [there, moved, farthest] = particles::snapped(std::move(x), boundary, snap);
@@ -63,10 +65,16 @@ Layout layout_of_file(const std::string& name, const hole::Shape& shape, double 
                 base::shown(farthest, 3) + " m at most"};
 }
 
+/// Whether a layout is one of those that the program makes; else it is a file.
+bool has_known_name(const std::string& name) {
+    return counts(name, "graded-", '-', 6) || counts(name, "polar-", 'x', 5);
+}
+
 /// A layout by its name, or of a file.
 /// \param rho least scaling factor: the matrices for it must fit into memory
+/// \param files the particles of those layouts that are files
 Layout layout_named(const std::string& name, const hole::Shape& shape, unsigned long draw, double rho,
-                    double snap) {
+                    double snap, const std::map<std::string, Points<2>>& files) {
     if (const auto graded = counts(name, "graded-", '-', 6)) {
         const auto [N, on_arc] = *graded;
         command_line::check_cloud(static_cast<double>(N), rho * rho);
@@ -77,10 +85,33 @@ Layout layout_named(const std::string& name, const hole::Shape& shape, unsigned 
         command_line::check_cloud(static_cast<double>(rays * on_ray), rho * rho);
         return {name, hole::polar_layout(shape, rays, on_ray), false};
     }
-    if (name.find('.') == std::string::npos && name.find('/') == std::string::npos)
-        throw base::InvalidInput("there is no layout '" + name +
-                                 "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
-    return layout_of_file(name, shape, snap);
+    return layout_of_file(name, files.at(name), shape, snap);
+}
+
+/// Refuses positions whose largest is about that of the quarter in another unit.
+void check_unit(const std::string& name, const Points<2>& x) {
+    const double side = hole::Shape().side, largest = x.cols() == 0 ? side : x.cwiseAbs().maxCoeff();
+    for (const auto& [unit, metres] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"km", 1e3}})
+        if (std::abs(largest * metres / side - 1) < 0.1)
+            throw base::InvalidInput("--layout: " + name + " reaches to " + base::shown(largest) +
+                                     ", as the quarter does in " + unit + "; write its positions in m");
+}
+
+/// The particles of those layouts that are files, each read once.
+std::map<std::string, Points<2>> read_layouts(const Options& options) {
+    std::map<std::string, Points<2>> files;
+    for (const std::string& name : options.layouts) {
+        if (has_known_name(name) || files.contains(name)) continue;
+        if (name.find('.') == std::string::npos && name.find('/') == std::string::npos)
+            throw base::InvalidInput(
+                "there is no layout '" + name +
+                "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");
+        files[name] = command_line::read_points(name, options.columns);
+        check_unit(name, files[name]);
+    }
+    if (files.empty() && !options.columns.empty())
+        throw base::InvalidInput("--columns belongs to a --layout FILE; name one, or leave --columns out");
+    return files;
 }
 
 /// The places of `--states`.
@@ -149,6 +180,8 @@ report::Table table_of(const Options& options) {
          {"deviation_u1_mm", {1e-4, 1e-6}},
          {"deviation_u2_mm", {1e-4, 1e-6}},
          {"stress_concentration", {1e-4, 1e-4}}});
+    const auto files = read_layouts(options);
+    for (const double radius : options.radii) static_cast<void>(hole::checked({radius, 3}));
     const double rho = *std::min_element(options.scaling.begin(), options.scaling.end());
     command_line::Progress progress(options.layouts.size() * options.radii.size() * options.draws *
                                     cases.size());
@@ -156,7 +189,7 @@ report::Table table_of(const Options& options) {
         for (const double radius : options.radii)
             for (unsigned long draw = options.draw; draw < options.draw + options.draws; ++draw) {
                 const hole::Shape shape = hole::checked({radius, 3});
-                const Layout layout = layout_named(name, shape, draw, rho, options.snap);
+                const Layout layout = layout_named(name, shape, draw, rho, options.snap, files);
                 if (!layout.about.empty() && draw == options.draw) table.add_comment(layout.about);
                 if (layout.drawn || draw == options.draw)
                     add(table, options, cases, shape, layout, draw, progress);
@@ -185,6 +218,10 @@ int main(int argc, char** argv) {
     app.add_option("--snap", options.snap,
                    "move particles of a file within this distance of the boundary onto it, in m (default 0)")
         .type_name("D");
+    app.add_list(
+           "--columns", options.columns,
+           "the columns of positions in a file, by names or by numbers from 1 (default: x1,x2 or x,y, else the only two)")
+        .type_name("X,Y");
     app.add_list("--radius", options.radii,
                  "radii of the hole in m; the quarter has a side of 3 m (default 0.3)");
     app.add_option("--draw", options.draw, "first draw of a graded layout (default 1)")

@@ -117,6 +117,11 @@ report::Table table_of(const Options& options) {
     const auto cases = command_line::cases(options, plate::E, plate::penalty);
     const std::vector<plate::Corners> choices = choices_of(options.corners);
     if (!options.figure.path.empty()) check_drawable(options, cases, choices.size());
+    for (const std::string& grid : options.grids) {  // before any is solved
+        const auto [nx, ny] = command_line::pair_of("--particles", grid);
+        check_grid(nx, ny, *std::min_element(options.scaling.begin(), options.scaling.end()));
+        static_cast<void>(plate::grid(nx, ny));
+    }
     command_line::ExampleTable table(
         options, cases,
         "Batra and Zhang (2008), Section 4.1: a plate under shear; lengths in m, stresses in Pa",

@@ -8,7 +8,7 @@
 #include "base/text.hpp"
 #include "command_line/formulations.hpp"
 #include "command_line/options.hpp"
-#include "command_line/progress.hpp"
+#include "command_line/sweep.hpp"
 
 namespace {
 
@@ -84,6 +84,11 @@ double measured_error(const Case& line) {
         derivative_test::errors(formulation, discrete, derivative_test::exponential<Scalar>()).second);
 }
 
+/// The cells that name a case.
+std::vector<report::Cell> named(const Case& line) {
+    return {line.formulation, line.precision, static_cast<long>(line.N)};
+}
+
 std::vector<report::Cell> row(const Case& line) {
     const double spacing = 1 / static_cast<double>(line.N - 1);
     return command_line::in_precision(line.precision, [&](auto zero) -> std::vector<report::Cell> {
@@ -113,7 +118,15 @@ report::Table errors(const Choice& choice) {
                      {"error_second", {0.5, 0}},
                      {"predicted_truncation", {1e-9, 0}},
                      {"predicted_roundoff", {1e-9, 0}}};
-    table.rows = command_line::computed_in_parallel(cases(choice), row);
+    const std::vector<Case> all = cases(choice);
+    const auto attempts = command_line::attempts_in_parallel(all, row);
+    command_line::Sweep sweep(table, 3);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (const auto& [numbers, failure] = attempts[k]; failure)
+            sweep.add_failed(named(all[k]), *failure);
+        else
+            sweep.add({numbers});
+    sweep.finish();
     return table;
 }
 

@@ -73,6 +73,8 @@ int main(int argc, char** argv) {
     options.particles = command_line::four_a_doubling();
     options.figure = {"asprone2010/figure_2.gp"};
     command_line::add_options(app, options);
+    command_line::add_median(app, options);
+    command_line::add_plot_option(app, options.figure);
     app.add_option("--end", options.end,
                    "formulation whose first derivative is imposed at x = 1 (default: each its own)")
         .type_name("NAME");

@@ -105,9 +105,5 @@ int main(int argc, char** argv) {
     long particle = 0;
     app.add_option("--particle", particle, "which particle, from 0 (default 0)").type_name("I");
 
-    return command_line::run(app, argc, argv, options, [&] {
-        if (!options.figure.path.empty())
-            throw base::InvalidInput("a stencil has no figure; leave --plot out");
-        return weights(options, particle);
-    });
+    return command_line::run(app, argc, argv, options, [&] { return weights(options, particle); });
 }

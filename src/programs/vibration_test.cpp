@@ -1,5 +1,6 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
+#include <algorithm>
 #include <complex>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/memory.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/sweep.hpp"
 
 namespace {
 
@@ -24,11 +26,13 @@ struct Options : command_line::Options {
     long lowest = 0;  ///< the number of modes; 0 for all
 };
 
-/// \throws base::InvalidInput for what has no spectrum, or no figure
+/// \throws base::InvalidInput for what has no spectrum, no lowest modes, or no figure
 void check(const Options& options) {
     const bool drawn = !options.figure.path.empty();
-    if (options.median)
-        throw base::InvalidInput("vibration_test has no --median: a spectrum is a row per mode");
+    const auto& asked = options.formulations;
+    if (options.lowest > 0 && std::find(asked.begin(), asked.end(), "fem_consistent") != asked.end())
+        throw base::InvalidInput(
+            "--lowest does not know fem_consistent; leave it out, or leave --lowest out");
     if (drawn && options.particles.size() * options.perturbations.size() > 1)
         throw base::InvalidInput(
             "--plot draws one spectrum for each formulation; take one number of particles and one perturbation");
@@ -48,31 +52,36 @@ void check(const Options& options) {
     }
 }
 
+using Rows = std::vector<std::vector<Cell>>;
+
+/// The cells that name a case.
+std::vector<Cell> named(const Options& options, const Case& one) {
+    const auto [perturbation, seed] = command_line::perturbation_and_seed(options, one);
+    return {one.formulation, static_cast<long>(one.particles), perturbation, seed};
+}
+
 /// A row of the table: the case, the mode, its frequency beside the exact one, and what the last column
 /// holds.
 std::vector<Cell> row(const Options& options, const Case& one, Index n, const std::complex<double>& frequency,
                       const Cell& last) {
-    const auto [perturbation, seed] = command_line::perturbation_and_seed(options, one);
     const double exact = vibration_test::exact_frequency(n);
-    return {one.formulation,
-            static_cast<long>(one.particles),
-            perturbation,
-            seed,
-            static_cast<long>(n),
-            frequency.real(),
-            frequency.imag(),
-            exact,
-            frequency.real() / exact,
-            last};
+    std::vector<Cell> cells = named(options, one);
+    cells.insert(cells.end(), {static_cast<long>(n), frequency.real(), frequency.imag(), exact,
+                               frequency.real() / exact, last});
+    return cells;
 }
 
 /// The lowest modes of a case, with their residuals.
-void add_lowest_modes(report::Table& table, const Options& options, const Case& one) {
+Rows lowest_modes(const Options& options, const Case& one) {
     const auto [line, smoothing] = command_line::line_of(options, one);
-    const auto D2 = formulation_named(one.formulation).operators(line, smoothing).D2;
+    const auto D2 = one.formulation == "fem_lumped"
+                        ? vibration_test::lumped_second_derivative(line)
+                        : formulation_named(one.formulation).operators(line, smoothing).D2;
+    Rows rows;
     Index n = 0;
     for (const vibration_test::Mode& mode : vibration_test::lowest_modes(D2, options.lowest))
-        table.rows.push_back(row(options, one, ++n, mode.frequency, mode.residual));
+        rows.push_back(row(options, one, ++n, mode.frequency, mode.residual));
+    return rows;
 }
 
 std::vector<std::complex<double>> frequencies(const Options& options, const Case& one) {
@@ -99,11 +108,13 @@ std::vector<Cell> symbol_ratios(const Options& options, const Case& one) {
 }
 
 /// All modes of a case, beside the symbol's.
-void add_all_modes(report::Table& table, const Options& options, const Case& one) {
+Rows all_modes(const Options& options, const Case& one) {
     const auto omega = frequencies(options, one);
     const auto ratios = symbol_ratios(options, one);
+    Rows rows;
     for (std::size_t k = 0; k < omega.size(); ++k)
-        table.rows.push_back(row(options, one, static_cast<Index>(k + 1), omega[k], ratios[k]));
+        rows.push_back(row(options, one, static_cast<Index>(k + 1), omega[k], ratios[k]));
+    return rows;
 }
 
 report::Table table_of(const Options& options) {
@@ -128,8 +139,11 @@ report::Table table_of(const Options& options) {
         {"exact"},
         {"ratio", {1e-8, 1e-9}},
         all ? report::ColumnHead{"ratio_symbol", {1e-8, 1e-9}} : report::ColumnHead{"residual", {1, 1e-9}}};
-    for (const Case& one : command_line::cases(options, all ? references : std::vector<std::string>{}))
-        (all ? add_all_modes : add_lowest_modes)(table, options, one);
+    command_line::Sweep sweep(table, 4);
+    for (const Case& one :
+         command_line::cases(options, all ? references : std::vector<std::string>{"fem_lumped"}))
+        sweep.attempt(named(options, one), [&] { return (all ? all_modes : lowest_modes)(options, one); });
+    sweep.finish();
     return table;
 }
 
@@ -146,9 +160,10 @@ int main(int argc, char** argv) {
     options.particles = {100};
     options.figure = {"asprone2010/figure_3.gp"};
     command_line::add_options(app, options, references);
+    command_line::add_plot_option(app, options.figure);
     app.add_option(
            "--lowest", options.lowest,
-           "number of modes, those of least |omega|, with their residuals: for long lines (default: all modes)")
+           "number of modes, those of least |omega|, with their residuals: for long lines; not for fem_consistent (default: all modes)")
         .type_name("K")
         .within(1, 100);
     return command_line::run(app, argc, argv, options, [&] { return table_of(options); });

@@ -27,6 +27,7 @@ struct Table {
     std::vector<std::string> comments;
     std::vector<ColumnHead> columns;
     std::vector<std::vector<Cell>> rows;
+    std::string incomplete = {};  ///< why rows have no numbers, for the user; no part of the CSV
 
     /// The word in a row's column; a number as it is shown. \throws as column()
     [[nodiscard]] std::string word(std::size_t row, const std::string& name) const;

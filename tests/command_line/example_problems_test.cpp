@@ -18,10 +18,40 @@ TEST_CASE(
     const std::string vtk = report::read_whole(folder.path + "/f.vtk");
     CHECK(vtk.starts_with("# vtk DataFile Version 3.0\n"));
     for (const char* part :
-         {"DATASET POLYDATA", "POINTS 64 double", "POINT_DATA 64", "VECTORS u_exact double",
-          "VECTORS u_strong double", "SCALARS s11_weak1 double 1"})
+         {"DATASET UNSTRUCTURED_GRID", "CELLS 64 128", "CELL_TYPES 64", "POINTS 64 double", "POINT_DATA 64",
+          "VECTORS u_exact double", "VECTORS u_strong double", "SCALARS s11_weak1 double 1"})
         CHECK(vtk.find(part) != std::string::npos);
-    CHECK(std::count(vtk.begin(), vtk.end(), '\n') == 5 + 64 + 1 + 64 + 1 + 3 * (65 + 3 * 66));
+    CHECK(std::count(vtk.begin(), vtk.end(), '\n') == 5 + 3 * 64 + 3 + 3 * (65 + 3 * 66));
+}
+
+// meshio is Debian's python3-meshio, which make setup check installs.
+TEST_CASE("example_problems: an independent reader finds in the file for ParaView the numbers of the CSV") {
+    const Folder folder;
+    const std::string field = folder.path + "/f";
+    const std::string command = "plate --method weak1 --gauss 4 --field " + field;
+    CHECK(run(command + ".csv").code == 0);
+    CHECK(run(command + ".vtk").code == 0);
+    report::write_whole(field + ".py", R"(import meshio, sys
+mesh = meshio.read(sys.argv[1])
+vertices = mesh.cells_dict["vertex"].ravel()
+u, exact = mesh.point_data["u_weak1"], mesh.point_data["u_exact"]
+print("x1,x2,u1,u2,u1_exact,u2_exact,s11,s22,s12,s12_exact")
+for k in vertices:
+    print(*mesh.points[k][:2], *u[k][:2], *exact[k][:2],
+          *(mesh.point_data[name][k].item() for name in ("s11_weak1", "s22_weak1", "s12_weak1", "s12_exact")), sep=",")
+)");
+    const auto [code, output, errors] = run("/usr/bin/python3 " + field + ".py " + field + ".vtk");
+    CAPTURE(errors);
+    REQUIRE(code == 0);
+    const auto found = report::parsed(output), expected = report::parsed(report::read_whole(field + ".csv"));
+    REQUIRE(found.rows.size() == expected.rows.size());
+    for (std::size_t row = 0; row < found.rows.size(); ++row)
+        for (const auto& column : found.columns) {
+            CAPTURE(column.name);
+            CHECK(std::get<double>(found.rows[row][found.column(column.name)]) ==
+                  doctest::Approx(std::get<double>(expected.rows[row][expected.column(column.name)]))
+                      .epsilon(1e-6));
+        }
 }
 
 TEST_CASE("example_problems: --field for ParaView holds the exact states of each material") {

@@ -72,3 +72,14 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
         programs::check_refused("hole " + options, 2, reason);
     programs::check_refused("hole --layout /nowhere.csv", 1, "cannot read /nowhere.csv");
 }
+
+TEST_CASE("hole: a layout in another unit of length is refused by its name") {
+    const programs::Folder folder;
+    const std::string file = folder.path + "/x.csv";
+    for (const auto& [unit, most] : {std::pair{"mm", "3000"}, {"cm", "300"}, {"km", "0.003"}}) {
+        report::write_whole(file, "0 " + std::string(most) + "\n" + most + " 0\n");
+        programs::check_refused("hole --layout " + file, 2,
+                                "x.csv reaches to " + std::string(most) + ", as the quarter does in " + unit +
+                                    "; write its positions in m");
+    }
+}

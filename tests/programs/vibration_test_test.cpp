@@ -47,3 +47,16 @@ TEST_CASE(
         }
     CHECK(std::get<double>(all.rows[7][all.column("frequency_imaginary")]) > 0.5);  // a pair is among them
 }
+
+TEST_CASE(
+    "vibration_test: --lowest takes finite elements with lumped masses, and says that it takes no others") {
+    const std::string command = "vibration_test --formulation fem_lumped --particles 60";
+    const auto all = report::parsed(run(command).output),
+               lowest = report::parsed(run(command + " --lowest 8").output);
+    REQUIRE(lowest.rows.size() == 8);
+    for (std::size_t row = 0; row < 8; ++row)
+        CHECK(lowest.word(row, "frequency").substr(0, 8) == all.word(row, "frequency").substr(0, 8));
+    CHECK(report::parsed(run("vibration_test --particles 60 --lowest 1").output).rows.size() == 9);
+    programs::check_refused("vibration_test --formulation fem_consistent --lowest 3", 2,
+                            "--lowest does not know fem_consistent; leave it out");
+}
