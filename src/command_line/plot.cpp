@@ -35,17 +35,22 @@ struct Temporary {
 class Uninterrupted {
   public:
     Uninterrupted() {
-        sigset_t signals;
-        sigemptyset(&signals);
-        for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, number);
-        pthread_sigmask(SIG_BLOCK, &signals, &before_);
+        for (std::size_t k = 0; k < signals.size(); ++k)
+            if ((before_[k] = std::signal(signals[k], remember)) == SIG_IGN) std::signal(signals[k], SIG_IGN);
     }
-    ~Uninterrupted() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    ~Uninterrupted() {
+        for (std::size_t k = 0; k < signals.size(); ++k) std::signal(signals[k], before_[k]);
+        if (received != 0) std::raise(received);
+    }
     Uninterrupted(const Uninterrupted&) = delete;
     Uninterrupted& operator=(const Uninterrupted&) = delete;
 
   private:
-    sigset_t before_{};
+    static void remember(int number) { received = number; }
+
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+    static inline volatile std::sig_atomic_t received = 0;
+    std::array<void (*)(int), signals.size()> before_{};
 };
 
 /// A text between single quotes. \param quote what stands for a single quote within
@@ -117,7 +122,7 @@ void check_plot(const Figure& figure, const std::string& folder) {
 void plot(const Figure& figure, const report::Table& table) {
     const auto& [script, path] = figure;
     if (path.empty()) return;
-    const Uninterrupted drawing_takes_a_second;
+    const Uninterrupted while_drawing;
     const Temporary numbers(report::temporary_beside(path, ".csv")),
         drawing(report::temporary_beside(path, ".svg"));
     report::write_whole(numbers.path, report::csv(table));

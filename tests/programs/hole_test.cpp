@@ -64,13 +64,14 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
              {"--layout " + file("words.csv", "0 1\nhello world\n"), "line 2: 'hello' is no number"},
              {"--layout " + file("hexadecimal.csv", "0 0x1p0\n"), "line 1: '0x1p0' is no number"},
              {"--layout " + file("infinite.csv", "0 1\nnan inf\n"), "line 2: 'nan' is no number"},
-             {"--layout " + file("three.csv", "0 1\n1 2 3\n"), "line 2: '1 2 3' is not two numbers"},
+             {"--layout " + file("three.csv", "0 1\n1 2 3\n"),
+              "line 2: '1 2 3' has 3 columns, the first line 2"},
              {"--layout " + file("outside.csv", "0 1\n1 2\n1 9\n"),
               "particle 2 at (1, 9) lies outside the body"},
              {"--layout " + file("twice.csv", "0 1\n1 2\n1 2\n"), "coincide at (1, 2)"},
              {"--layout " + file("empty.csv", "# nothing\n"), "a cloud needs at least 2 particles, got 0"}})
         programs::check_refused("hole " + options, 2, reason);
-    programs::check_refused("hole --layout /nowhere.csv", 1, "cannot read /nowhere.csv");
+    programs::check_refused("hole --layout /nowhere.csv", 2, "cannot read /nowhere.csv");
 }
 
 TEST_CASE("hole: a layout in another unit of length is refused by its name") {

@@ -39,6 +39,6 @@ TEST_CASE("stencil: one formulation, one line, a particle that exists") {
     check_refused("stencil", 2, "name one --formulation");
     check_refused("stencil --formulation fpm --particles 10,20", 2, "one number of --particles");
     check_refused("stencil --formulation fpm --particle 50", 2, "there is no particle 50; choose 0 to 49");
-    check_refused("stencil --formulation fpm --plot /tmp/stencil.svg", 2, "has no figure");
+    check_refused("stencil --formulation fpm --plot /tmp/stencil.svg", 2, "there is no option '--plot'");
     check_refused("stencil --formulation fpm --particle -1", 2, "there is no particle -1");
 }
