@@ -1,0 +1,23 @@
+#pragma once
+
+#include "asprone2010/limit_stencils.hpp"
+#include "asprone2010/section_5_1_derivative_test.hpp"
+#include "asprone2010/section_5_2_static_test.hpp"
+
+/// The functions that are compiled once for each scalar type. TEMPLATE is `template` where they are compiled,
+/// and `extern template` where they are declared.
+#define ASPRONE2010_IN_PRECISION(TEMPLATE, Scalar)                                                        \
+    namespace asprone2010 {                                                                               \
+    TEMPLATE const std::vector<Formulation<Scalar>>& formulations();                                      \
+    TEMPLATE numerical_tests::Particles<Scalar> numerical_tests::discretise(const Discretisation&,        \
+                                                                            const Column<Scalar>&);       \
+    TEMPLATE numerical_tests::Particles<Scalar> numerical_tests::discretise(const Discretisation&, Index, \
+                                                                            unsigned long);               \
+    TEMPLATE derivative_test::Errors<Scalar> derivative_test::errors(                                     \
+        const Formulation<Scalar>&, const numerical_tests::Particles<Scalar>&, const Smooth<Scalar>&);    \
+    TEMPLATE Scalar static_test::error(const Formulation<Scalar>&, const Formulation<Scalar>&,            \
+                                       const numerical_tests::Particles<Scalar>&, const Smooth<Scalar>&,  \
+                                       int);                                                              \
+    TEMPLATE limit_stencils::Stencil<Scalar> limit_stencils::near_end(                                    \
+        const Formulation<Scalar>&, const numerical_tests::Discretisation&, Index, int, const Scalar&);   \
+    }
