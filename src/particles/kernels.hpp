@@ -362,4 +362,12 @@ void evaluate(const Kernel<dim>& kernel, const Offsets<Scalar, dim>& s, Column<S
 
 /// @}
 
+// Compiled once for each dimension, in kernels.cpp.
+extern template void evaluate(const Kernel<1>&, const Offsets<double, 1>&, Column<double>&,
+                              Offsets<double, 1>&);
+extern template void evaluate(const Kernel<2>&, const Offsets<double, 2>&, Column<double>&,
+                              Offsets<double, 2>&);
+extern template void evaluate(const Kernel<3>&, const Offsets<double, 3>&, Column<double>&,
+                              Offsets<double, 3>&);
+
 }  // namespace particles

@@ -13,6 +13,8 @@
 
 namespace particles {
 
+using base::for_each_index;
+
 namespace logarithmic {
 
 Point<2> place(const QuarterWithHole& shape, const Point<2>& at) {

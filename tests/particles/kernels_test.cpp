@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -38,8 +39,8 @@ double D2W(const Kernel<dim>& kernel, double s) {
 }
 
 /// The kernels that need no number, and lowered Gaussians.
-template <int dim, class Visitor>
-void for_all_kernels(const Visitor& visit) {
+template <int dim>
+void for_all_kernels(const std::function<void(const Kernel<dim>&)>& visit) {
     for_each_kernel<dim>(visit);
     for (const double rho : {0.5, 1.0, 2.1, 3.0, 4.0, 6.0}) visit(Kernel<dim>(TruncatedGaussian<dim>(rho)));
 }
@@ -69,16 +70,20 @@ std::pair<Offsets<double, dim>, Column<double>> sphere() {
     }
 }
 
+/// A function of offsets on a sphere, their kernel values and gradients.
+template <int dim>
+using Integrand = std::function<Column<double>(const Offsets<double, dim>&, const Column<double>&,
+                                               const Offsets<double, dim>&)>;
+
 /// ∫ f dV over the support, by shells between the knots, where splines change their polynomial.
-/// \param f of the offsets on a sphere, their kernel values and gradients; an array
-template <int dim, class Integrand>
-double integral(const Kernel<dim>& kernel, const Integrand& f) {
+template <int dim>
+double integral(const Kernel<dim>& kernel, const std::type_identity_t<Integrand<dim>>& f) {
     const auto [place, weight] = sphere<dim>();
     const auto shell = [&, &place = place, &weight = weight](double radius) {
         const Offsets<double, dim> s = radius * place;
         Column<double> W;
         Offsets<double, dim> DW;
-        std::visit([&](const auto& k) { evaluate(k, s, W, DW); }, kernel);
+        evaluate(kernel, s, W, DW);
         return std::pow(radius, dim - 1) * (weight * f(s, W, DW)).sum();
     };
     const auto edge = particles::support<double>(kernel);
@@ -208,7 +213,7 @@ TEST_CASE_TEMPLATE("kernels: offsets have the values and the slopes of their len
         CAPTURE(name(kernel));
         Column<double> values;
         Offsets<double, dim> gradients;
-        std::visit([&](const auto& k) { evaluate(k, s, values, gradients); }, kernel);
+        evaluate(kernel, s, values, gradients);
         REQUIRE(values.size() == s.rows());
         REQUIRE(gradients.rows() == s.rows());
         CHECK(values[0] == W(kernel, 0));
@@ -229,7 +234,7 @@ TEST_CASE("kernels: on a line offsets have the kernels' values to the last bit")
     for_each_kernel([&](const Kernel<>& kernel) {
         CAPTURE(name(kernel));
         Column<double> values, slopes;
-        std::visit([&](const auto& k) { evaluate(k, s, values, slopes); }, kernel);
+        evaluate(kernel, s, values, slopes);
         for (Index k = 0; k < s.size(); ++k) {
             CHECK(values[k] == W(kernel, s[k]));
             CHECK(slopes[k] == DW(kernel, s[k]));
@@ -246,8 +251,8 @@ TEST_CASE("kernels: a rotation leaves the values and turns the gradients") {
             CAPTURE(name(kernel));
             Column<double> W, W_turned;
             Offsets<double, dim> gradients_turned;
-            std::visit([&](const auto& k) { evaluate(k, s, W, gradients); }, kernel);
-            std::visit([&](const auto& k) { evaluate(k, turned, W_turned, gradients_turned); }, kernel);
+            evaluate(kernel, s, W, gradients);
+            evaluate(kernel, turned, W_turned, gradients_turned);
             CHECK((W - W_turned).abs().maxCoeff() < 1e-14 * W.maxCoeff());
             CHECK((gradients.matrix() * turn - gradients_turned.matrix()).cwiseAbs().maxCoeff() <
                   1e-14 * W.maxCoeff());

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <omp.h>
 
+#include "solvers/cholesky.hpp"
 #include "tests/clouds.hpp"
 #include "tests/polynomial.hpp"
 #include "tests/same_bytes.hpp"
@@ -25,10 +26,11 @@ struct LeastSquares {
                     P.col(k).array() *= r.col(axis);
             P.col(k) /= factorial<dim>(a);
         }
-        const Eigen::VectorXd weight = W * V;
-        const Eigen::MatrixXd weighted = weight.asDiagonal() * P;
-        const Eigen::ArrayXXd weights = weighted * Eigen::MatrixXd(P.transpose() * weighted).inverse();
-        return {weights.leftCols(dim), weights.rightCols(n - dim)};
+        const Eigen::MatrixXd weighted = (W * V).matrix().asDiagonal() * P;
+        const solvers::Cholesky<double> factors(P.transpose().lazyProduct(weighted));
+        const Eigen::ArrayXXd weights =
+            solved<solvers::Cholesky<double>, double>(factors, weighted.transpose());
+        return {weights.topRows(dim).transpose(), weights.bottomRows(n - dim).transpose()};
     }
 };
 const Requirement required{"least_squares", 3};
