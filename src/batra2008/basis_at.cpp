@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -45,16 +46,23 @@ bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGa
     }
 }
 
-/// Whether the monomials are determined with one smoothing length at a place and at some particles.
+/// The monomials as a remedy sees them. Their degree is not part of the type, so that remedies are compiled
+/// once for each dimension.
+template <int dim>
+struct Monomials {
+    int degree;
+    Index number;
+    /// Whether the particles within ρh of a place determine them: a function of ρ, h and the place.
+    std::function<bool(double, double, const Point<dim>&)> determined;
+};
+
+/// The monomials of degree m of a cloud, which must outlive them.
 template <int m, int dim>
-bool determined_at(const particles::Cloud<dim>& cloud, double rho, double h, const Point<dim>& place,
-                   const std::vector<Index>& some) {
-    const particles::TruncatedGaussian<dim> kernel(rho);
-    const auto determined_there = [&](const Point<dim>& x) {
-        return determined<m>(cloud, kernel, x, h, cloud.around(x, rho * h));
-    };
-    return determined_there(place) &&
-           std::all_of(some.begin(), some.end(), [&](Index j) { return determined_there(cloud.x().col(j)); });
+Monomials<dim> monomials_of_degree(const particles::Cloud<dim>& cloud) {
+    return {m, terms<dim, m>, [&cloud](double rho, double h, const Point<dim>& x) {
+                return determined<m>(cloud, particles::TruncatedGaussian<dim>(rho), x, h,
+                                     cloud.around(x, rho * h));
+            }};
 }
 
 /// The particles whose neighbours are the farthest, at most a thousand.
@@ -69,29 +77,34 @@ std::vector<Index> loneliest(const Column<double>& distance) {
 /// "--smoothing-from 0.053": one length for the whole cloud, with which each particle has as many neighbours
 /// as there are monomials. Empty if the cloud is graded, so that this is far too large for some, or if it is
 /// not enough.
-template <int m, int dim>
-std::string smoothing_remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& place) {
-    constexpr Index n = terms<dim, m>;
+template <int dim>
+std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+                             const Point<dim>& place) {
     constexpr double graded = 4;  // the sides of stretched cells differ as much
-    if (cloud.size() <= n) return "";
-    const Column<double> to_nth = particles::spacing(cloud, particles::Spacing::to_nearest(n));
+    if (cloud.size() <= monomials.number) return "";
+    const Column<double> to_nth = particles::spacing(cloud, particles::Spacing::to_nearest(monomials.number));
     const double least = to_nth.maxCoeff();
     if (least > graded * to_nth.minCoeff()) return "";
     const std::vector<Index> hardest = loneliest(to_nth);
+    const auto enough = [&](double h) {
+        return monomials.determined(rho, h, place) &&
+               std::all_of(hardest.begin(), hardest.end(),
+                           [&](Index j) { return monomials.determined(rho, h, cloud.x().col(j)); });
+    };
     for (double h = least; h < 2 * least; h *= 1.1) {
         const std::string shown = base::shown(1.005 * h, 3);  // rounded, but not down
-        if (determined_at<m>(cloud, rho, std::stod(shown), place, hardest))
-            return "--smoothing-from " + shown;
+        if (enough(std::stod(shown))) return "--smoothing-from " + shown;
     }
     return "";
 }
 
 /// "try --scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth.
-template <int m, int dim>
-std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h) {
-    constexpr Index n = terms<dim, m>;
+template <int dim>
+std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+                   const Point<dim>& x, double h) {
+    const Index n = monomials.number;
     if (cloud.size() < n) return "take at least " + std::to_string(n) + " particles";
-    const std::string larger_h = smoothing_remedy<m>(cloud, rho, x);
+    const std::string larger_h = smoothing_remedy(cloud, monomials, rho, x);
     if (const std::string pair = particles::close_pair(cloud, cloud.nearest(x)); !pair.empty())
         return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
     Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
@@ -100,8 +113,7 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
     const double first = std::max(reaching_n, std::ceil(10 * rho + 5));
     for (int more = 0; more < 50; ++more) {
         const double scaling = (first + more) / 10;
-        const particles::TruncatedGaussian<dim> larger(scaling);
-        if (determined<m>(cloud, larger, x, h, cloud.around(x, scaling * h)))
+        if (monomials.determined(scaling, h, x))
             return "try --scaling " + base::shown(scaling) + (larger_h.empty() ? "" : " or " + larger_h);
     }
     if (!larger_h.empty()) return "try " + larger_h;
@@ -114,14 +126,15 @@ std::string remedy(const particles::Cloud<dim>& cloud, double rho, const Point<d
 /// --scaling 2.5"
 /// \param found number of particles in the support
 /// \param why what is wrong with them, if there are enough
-template <int m, int dim>
-[[noreturn]] void refuse(const particles::Cloud<dim>& cloud, double rho, const Point<dim>& x, double h,
-                         std::size_t found, const std::string& why) {
-    throw base::FailedComputation("ssph_basis: at " + particles::shown_point(x) + " there are " +
-                                  std::to_string(found) + " particles within " + base::shown(rho) +
-                                  "h = " + base::shown(rho * h, 3) + " for the " +
-                                  std::to_string(terms<dim, m>) + " monomials of degree " +
-                                  std::to_string(m) + why + "; " + remedy<m>(cloud, rho, x, h));
+template <int dim>
+base::FailedComputation refusal(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
+                                double rho, const Point<dim>& x, double h, std::size_t found,
+                                const std::string& why) {
+    return base::FailedComputation(
+        "ssph_basis: at " + particles::shown_point(x) + " there are " + std::to_string(found) +
+        " particles within " + base::shown(rho) + "h = " + base::shown(rho * h, 3) + " for the " +
+        std::to_string(monomials.number) + " monomials of degree " + std::to_string(monomials.degree) + why +
+        "; " + remedy(cloud, monomials, rho, x, h));
 }
 
 }  // namespace
@@ -131,12 +144,14 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
                        const Point<dim>& x, double h, const std::vector<int>& among, Slopes slopes) {
     particles::Support<dim> support = support_at(cloud, kernel, x, h, among);
     const std::size_t found = support.particle.size();
-    if (found < static_cast<std::size_t>(terms<dim, m>)) refuse<m>(cloud, kernel.rho(), x, h, found, "");
+    const auto refused = [&](const std::string& why) {
+        return refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), x, h, found, why);
+    };
+    if (found < static_cast<std::size_t>(terms<dim, m>)) throw refused("");
     try {
         return basis_on<m>(std::move(support), kernel, h, slopes);
     } catch (const particles::SingularNeighbourhood& singular) {
-        refuse<m>(cloud, kernel.rho(), x, h, found,
-                  std::string(", which they do not determine: ") + singular.what());
+        throw refused(std::string(", which they do not determine: ") + singular.what());
     }
 }
 

@@ -106,13 +106,20 @@ constexpr int leading(int monomial) {
     return axis;
 }
 
-/// Calls `visit` with the compile-time numbers 0 … n − 1.
-template <int n, class Visit>
-constexpr void unrolled(const Visit& visit) {
-    [&]<int... k>(std::integer_sequence<int, k...>) {
-        (visit(std::integral_constant<int, k>{}), ...);
+/// A monomial as the product of an earlier one and a coordinate.
+struct Product {
+    int monomial, axis;
+};
+
+/// The products of all monomials but the first, the constant.
+template <int dim, int m>
+constexpr std::array<Product, terms<dim, m>> products() {
+    std::array<Product, terms<dim, m>> all{};
+    for (int k = 1; k < terms<dim, m>; ++k) {
+        const int axis = leading<dim, m>(k);
+        all[static_cast<std::size_t>(k)] = {lowered<dim, m>(k, axis), axis};
     }
-    (std::make_integer_sequence<int, n>{});
+    return all;
 }
 
 /// A value for each monomial, in their order.
@@ -221,13 +228,13 @@ Matrix<Scalar> summed(const Table<Scalar>& H, const Column<Scalar>& W) {
 /// \param s offsets, a row for each particle
 template <int dim, int m, class Scalar>
 Table<Scalar> H(const Eigen::Array<Scalar, Eigen::Dynamic, dim>& s) {
+    static constexpr auto products = detail::products<dim, m>();
     Table<Scalar> all(terms<dim, m>, s.rows());
     all.row(0).setOnes();
-    detail::unrolled<terms<dim, m> - 1>([&](auto before) {
-        constexpr int k = before + 1, axis = detail::leading<dim, m>(k),
-                      lower = detail::lowered<dim, m>(k, axis);
+    for (Index k = 1; k < all.rows(); ++k) {
+        const auto [lower, axis] = products[static_cast<std::size_t>(k)];
         all.row(k).array() = all.row(lower).array() * s.col(axis).transpose();
-    });
+    }
     return all;
 }
 
