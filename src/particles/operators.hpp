@@ -329,8 +329,8 @@ Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double,
                 banded::set_row(all[static_cast<std::size_t>(axis)], row, near_i, own,
                                 weights.first.col(axis), per_h);
             for (int pair = 0; pair < second_derivatives<dim>; ++pair)
-                banded::set_row(all[static_cast<std::size_t>(dim + pair)], row, near_i, own,
-                                weights.second.col(pair), per_h * per_h);
+                banded::set_row(all[static_cast<std::size_t>(dim) + static_cast<std::size_t>(pair)], row,
+                                near_i, own, weights.second.col(pair), per_h * per_h);
         } catch (const FailedComputation& failed) {
             throw FailedComputation(neighbours_in_words(cloud, smoothing, i, near_i, required) + ", but " +
                                     failed.what() + "; " + remedy(cloud, smoothing, i, required, rule));

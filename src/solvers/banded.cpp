@@ -59,7 +59,7 @@ struct BandedFactors<Scalar>::Library {
     using Columns = SparseLU::Matrix;
     using Numbers = SparseLU::Vector;
 
-    Eigen::Index N;
+    Eigen::Index N = 0;
     Quad norm = Quad(0);
     SparseLU factors;
 
