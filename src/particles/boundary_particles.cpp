@@ -30,24 +30,72 @@ Nearest nearest_part(const Region& region, const Point<2>& x) {
     return nearest;
 }
 
-bool lies_on_boundary(const Region& region, const Point<2>& x, double size) {
-    return nearest_part(region, x).distance <= negligible * size;
-}
+/// Why a particle may not lie where it lies.
+struct Fault {
+    std::string why;  ///< the end of a sentence; empty if it may lie there
+    double distance;  ///< what moves it onto the boundary
+};
 
-/// Whether a particle is neither in the body, on its boundary, nor clearly beside it.
-bool is_astray(const Cloud<2>& cloud, const Region& region, double size, Index j) {
-    const Point<2> x = cloud.x().col(j);
-    if (lies_on_boundary(region, x, size)) return false;
-    return !contains(region, x, size) ||
-           nearest_part(region, x).distance < boundary_margin * cloud.apart()[j];
-}
+class Astray {
+  public:
+    Astray(const Cloud<2>& cloud, const Region& region, double size)
+        : cloud_(cloud), region_(region), size_(size) {
+        for (Index j = 0; j < cloud.size(); ++j)
+            on_boundary_.push_back(nearest_part(region, cloud.x().col(j)).distance <= negligible * size);
+    }
 
-/// The first particle that is astray, or their number.
-Index first_astray(const Cloud<2>& cloud, const Region& region, double size) {
-    Index j = 0;
-    while (j < cloud.size() && !is_astray(cloud, region, size, j)) ++j;
-    return j;
-}
+    [[nodiscard]] Fault operator()(Index j) const {
+        const Point<2> x = cloud_.x().col(j);
+        const bool on = on_boundary_[static_cast<std::size_t>(j)];
+        if (!on && !contains(region_, x, size_)) {
+            const auto [curve, distance] = nearest_part(region_, x);
+            return {"lies outside the body, " + shown(distance, 3) + " from " + shown_curve(*curve),
+                    distance};
+        }
+        for (const Curve& curve : region_) {
+            const Point<2> foot = closest(curve, x);
+            const double distance = (foot - x).norm();
+            if (distance <= negligible * size_) continue;
+            const bool bare = !on && distance < beside * cloud_.apart()[j] && is_bare(foot, j);
+            if (!bare && distance >= boundary_margin * cloud_.apart()[j]) continue;
+            const auto [first, last] = ends(curve);
+            const double to_corner = std::min((first - x).norm(), (last - x).norm());
+            return {"lies only " + shown(distance, 3) + " from " + shown_curve(curve) +
+                        (bare ? ", which has no particle of its own there"
+                              : ", less than a thousandth of its distance to the next particle"),
+                    on ? to_corner : distance};
+        }
+        return {};
+    }
+
+  private:
+    /// Share of the distance to the nearest particle within which a particle lies beside the boundary. If the
+    /// boundary has no particle of its own there, that particle is meant to be on it.
+    static constexpr double beside = 0.25;
+
+    /// Whether a place on the boundary is farther from all particles on it than these are from each other:
+    /// the median distance, to the next one, of a particle and its eight nearest.
+    [[nodiscard]] bool is_bare(const Point<2>& foot, Index j) const {
+        const Point<2> x = cloud_.x().col(j);
+        double reach = cloud_.apart()[j];
+        std::vector<int> near;
+        const auto wanted = static_cast<std::size_t>(std::min<Index>(9, cloud_.size()));
+        while ((near = cloud_.within(x, reach *= 1.5)).size() < wanted) {
+        }
+        std::vector<double> apart;
+        for (const int k : near) apart.push_back(cloud_.apart()[k]);
+        const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+        std::nth_element(apart.begin(), middle, apart.end());
+        const std::vector<int> around = cloud_.within(foot, 0.8 * *middle);
+        return std::none_of(around.begin(), around.end(),
+                            [&](int k) { return on_boundary_[static_cast<std::size_t>(k)]; });
+    }
+
+    const Cloud<2>& cloud_;
+    const Region& region_;
+    double size_;
+    std::vector<bool> on_boundary_;
+};
 
 /// "2.5 x 2.5", the box around a set of positions.
 std::string shown_span(const Points<2>& x) {
@@ -63,25 +111,6 @@ std::string other_span(const Cloud<2>& cloud, const Region& region) {
         for (const Point<2>& end : ends(curve)) corners.col(k++) = end;
     const std::string particles = shown_span(cloud.x()), body = shown_span(corners);
     return particles == body ? "" : "; the particles span " + particles + ", the body " + body;
-}
-
-/// "; try --snap 6.1e-08": the least distance that moves all particles that are astray, if they are not far
-/// from the boundary, onto it. Empty if no particle would be left where it must not be.
-std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size) {
-    double farthest = 0;
-    for (Index j = 0; j < cloud.size(); ++j) {
-        if (!is_astray(cloud, region, size, j)) continue;
-        const double distance = nearest_part(region, cloud.x().col(j)).distance;
-        if (distance > cloud.apart()[j] / 2) return "";
-        farthest = std::max(farthest, distance);
-    }
-    const std::string rounded = shown(1.1 * farthest, 2);
-    try {
-        check_particles(Cloud<2>(snapped(cloud.x(), region, std::stod(rounded)).x), region, size);
-        return "; try --snap " + rounded;
-    } catch (const InvalidInput&) {
-        return "";
-    }
 }
 
 /// \throws InvalidInput naming a part of the boundary without a particle on it
@@ -100,19 +129,46 @@ void require_particles_on(const Curve& curve, const Cloud<2>& cloud, const Regio
                        shown(least, 3) + " away" + other_span(cloud, region));
 }
 
+/// Whether check_particles() would take these particles.
+bool fits(const Points<2>& x, const Region& region, double size) {
+    try {
+        const Cloud<2> cloud(x);
+        const Astray astray(cloud, region, size);
+        for (Index j = 0; j < cloud.size(); ++j)
+            if (!astray(j).why.empty()) return false;
+        for (const Curve& curve : region) require_particles_on(curve, cloud, region, size);
+        return true;
+    } catch (const InvalidInput&) {
+        return false;
+    }
+}
+
+/// "; try --snap 6.1e-08": the least distance that moves all particles that are astray, if they are not far
+/// from the boundary, onto it. Empty if no particle would be left where it must not be.
+std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size) {
+    const Astray astray(cloud, region, size);
+    double farthest = 0;
+    for (Index j = 0; j < cloud.size(); ++j) {
+        const auto [why, distance] = astray(j);
+        if (distance > cloud.apart()[j] / 2) return "";
+        farthest = std::max(farthest, distance);
+    }
+    for (const double more : {1.1, 1.6, 2.2}) {  // a corner is farther away than a side
+        const std::string rounded = shown(more * farthest, 2);
+        if (fits(snapped(cloud.x(), region, std::stod(rounded)).x, region, size))
+            return "; try --snap " + rounded;
+    }
+    return "";
+}
+
 }  // namespace
 
 void check_particles(const Cloud<2>& cloud, const Region& region, double size) {
-    if (const Index j = first_astray(cloud, region, size); j < cloud.size()) {
-        const Point<2> x = cloud.x().col(j);
-        const auto [curve, distance] = nearest_part(region, x);
-        const bool inside = contains(region, x, size);
-        throw InvalidInput("particle " + std::to_string(j) + " at " + shown_point(x) + " lies " +
-                           (inside ? "inside the body, but only " : "outside the body, ") +
-                           shown(distance, 3) + " from " + shown_curve(*curve) +
-                           (inside ? ", less than a thousandth of its distance to the next particle" : "") +
-                           snap_remedy(cloud, region, size) + other_span(cloud, region));
-    }
+    const Astray astray(cloud, region, size);
+    for (Index j = 0; j < cloud.size(); ++j)
+        if (const std::string why = astray(j).why; !why.empty())
+            throw InvalidInput("particle " + std::to_string(j) + " at " + shown_point(cloud.x().col(j)) +
+                               " " + why + snap_remedy(cloud, region, size) + other_span(cloud, region));
     for (const Curve& curve : region) require_particles_on(curve, cloud, region, size);
 }
 

@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/errors.hpp"
@@ -88,7 +90,7 @@ TEST_CASE("boundary_particles: a particle just beside the boundary is named, and
         Points<2> x = layout();
         x.col(j) *= 1 - away / 0.3;  // positive: out of the body
         refuses(x, "particle " + std::to_string(j) + " at ");
-        refuses(x, std::string(away > 0 ? "lies outside the body, " : "lies inside the body, but only ") +
+        refuses(x, std::string(away > 0 ? "lies outside the body, " : "lies only ") +
                        base::shown(std::abs(away), 3) + " from the arc of radius 0.3 around (0, 0)");
         const double distance = proposed(x);
         REQUIRE(distance >= std::abs(away));
@@ -100,14 +102,41 @@ TEST_CASE("boundary_particles: a particle just beside the boundary is named, and
     }
 }
 
-TEST_CASE("boundary_particles: a particle clearly inside is an inner one") {
+TEST_CASE(
+    "boundary_particles: a particle inside takes none of the boundary's places unless it is far from it") {
     const Index j = on_arc(layout());
     const double spacing = Cloud<2>(layout()).apart()[j];
-    for (const double away : {1.1e-3, 1e-2, 0.1, 0.4}) {
+    for (const double away : {1.1e-3, 1e-2, 0.1, 0.2}) {
         Points<2> x = layout();
         x.col(j) *= 1 + away * spacing / 0.3;
+        refuses(x, ", which has no particle of its own there; try --snap ");
+        CHECK_NOTHROW(check(snapped(x, quarter(), proposed(x)).x));
+    }
+    Points<2> x = layout();
+    x.col(j) *= 1 + 0.4 * spacing / 0.3;
+    CHECK_NOTHROW(check(x));
+}
+
+TEST_CASE("boundary_particles: an inner particle may lie beside particles of the boundary") {
+    for (const double away : {2e-3, 0.03, 0.2}) {
+        const Index j = on_arc(layout());
+        const double spacing = Cloud<2>(layout()).apart()[j];
+        Points<2> x(2, layout().cols() + 1);
+        const double angle = 0.5 * spacing / 0.3;  // between two particles of the arc
+        const Point<2> there = Eigen::Rotation2Dd(angle) * layout().col(j);
+        x << layout(), (1 + away * spacing / 0.3) * there;
         CHECK_NOTHROW(check(x));
     }
+}
+
+TEST_CASE("boundary_particles: a particle of a side may not lie just beside a corner") {
+    Points<2> x = layout();
+    Index corner = 0;
+    while ((x.col(corner) - Point<2>(3, 3)).norm() > 1e-9) ++corner;
+    x.col(corner) = Point<2>(3, 3 - 1e-5);
+    refuses(x, "particle " + std::to_string(corner) +
+                   " at (3, 2.99999) lies only 1e-05 from the side from (3, 3) to (0, 3)");
+    CHECK(snapped(x, quarter(), proposed(x)).x.col(corner) == Point<2>(3, 3));
 }
 
 TEST_CASE(
@@ -120,7 +149,7 @@ TEST_CASE(
             const Points<2> x = rounded(layout(), decimals, round);
             const double distance = proposed(x);
             REQUIRE(distance > 0);
-            CHECK(distance < 2 * std::pow(10, -decimals));
+            CHECK(distance < 3 * std::pow(10, -decimals));
             CHECK_NOTHROW(check(snapped(x, quarter(), distance).x));
         }
     CHECK_NOTHROW(check(rounded(layout(), 9, std::round)));
