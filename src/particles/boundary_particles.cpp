@@ -39,14 +39,11 @@ struct Fault {
 class Astray {
   public:
     Astray(const Cloud<2>& cloud, const Region& region, double size)
-        : cloud_(cloud), region_(region), size_(size) {
-        for (Index j = 0; j < cloud.size(); ++j)
-            on_boundary_.push_back(nearest_part(region, cloud.x().col(j)).distance <= negligible * size);
-    }
+        : cloud_(cloud), region_(region), size_(size) {}
 
     [[nodiscard]] Fault operator()(Index j) const {
         const Point<2> x = cloud_.x().col(j);
-        const bool on = on_boundary_[static_cast<std::size_t>(j)];
+        const bool on = nearest_part(region_, x).distance <= negligible * size_;
         if (!on && !contains(region_, x, size_)) {
             const auto [curve, distance] = nearest_part(region_, x);
             return {"lies outside the body, " + shown(distance, 3) + " from " + shown_curve(*curve),
@@ -56,7 +53,7 @@ class Astray {
             const Point<2> foot = closest(curve, x);
             const double distance = (foot - x).norm();
             if (distance <= negligible * size_) continue;
-            const bool bare = !on && distance < beside * cloud_.apart()[j] && is_bare(foot, j);
+            const bool bare = distance < beside * cloud_.apart()[j] && is_bare(curve, foot, j);
             if (!bare && distance >= boundary_margin * cloud_.apart()[j]) continue;
             const auto [first, last] = ends(curve);
             const double to_corner = std::min((first - x).norm(), (last - x).norm());
@@ -73,9 +70,9 @@ class Astray {
     /// boundary has no particle of its own there, that particle is meant to be on it.
     static constexpr double beside = 0.25;
 
-    /// Whether a place on the boundary is farther from all particles on it than these are from each other:
-    /// the median distance, to the next one, of a particle and its eight nearest.
-    [[nodiscard]] bool is_bare(const Point<2>& foot, Index j) const {
+    /// Whether a place on a part of the boundary is farther from all particles on it than particles are from
+    /// each other: the median distance, to the next one, of particle j and its eight nearest.
+    [[nodiscard]] bool is_bare(const Curve& curve, const Point<2>& foot, Index j) const {
         const Point<2> x = cloud_.x().col(j);
         double reach = cloud_.apart()[j];
         std::vector<int> near;
@@ -88,13 +85,12 @@ class Astray {
         std::nth_element(apart.begin(), middle, apart.end());
         const std::vector<int> around = cloud_.within(foot, 0.8 * *middle);
         return std::none_of(around.begin(), around.end(),
-                            [&](int k) { return on_boundary_[static_cast<std::size_t>(k)]; });
+                            [&](int k) { return lies_on(curve, cloud_.x().col(k), size_); });
     }
 
     const Cloud<2>& cloud_;
     const Region& region_;
     double size_;
-    std::vector<bool> on_boundary_;
 };
 
 /// "2.5 x 2.5", the box around a set of positions.

@@ -137,6 +137,10 @@ TEST_CASE("boundary_particles: a particle of a side may not lie just beside a co
     refuses(x, "particle " + std::to_string(corner) +
                    " at (3, 2.99999) lies only 1e-05 from the side from (3, 3) to (0, 3)");
     CHECK(snapped(x, quarter(), proposed(x)).x.col(corner) == Point<2>(3, 3));
+    x.col(corner) = Point<2>(3, 2.99);
+    refuses(
+        x,
+        "lies only 0.01 from the side from (3, 3) to (0, 3), which has no particle of its own there; try --snap 0.011");
 }
 
 TEST_CASE(
