@@ -14,6 +14,11 @@ using particles::Index;
 using particles::Line;
 using particles::Operator;
 
+/// The degrees up to which D and D² differentiate polynomials exactly, on any particles.
+struct Exactness {
+    int first = 0, second = 0;
+};
+
 /// A formulation of Sections 3 and 4 as tests, programs and figures see it.
 template <class Scalar = double>
 struct Formulation {
@@ -21,6 +26,7 @@ struct Formulation {
     std::string_view section;    ///< of the paper
     std::string_view equations;  ///< of its discrete form
     Index particles = 0;         ///< that a neighbourhood must hold, the particle itself included
+    Exactness exact;
 
     using Assemble = particles::Operators<Scalar> (*)(const Line<Scalar>&,
                                                       const particles::Smoothing<Scalar>&,

@@ -14,8 +14,12 @@ namespace detail {
 
 template <class Scalar, class... Rule>
 Formulation<Scalar> formulation(std::string_view name, std::string_view section, std::string_view equations,
-                                Index particles, Rule... /*stateless*/) {
-    return {name, section, equations, particles,
+                                Index particles, Exactness exact, Rule... /*stateless*/) {
+    return {name,
+            section,
+            equations,
+            particles,
+            exact,
             [](const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing,
                const particles::Requirement& required) {
                 return particles::assemble(line, smoothing, required, Rule{}...);
@@ -32,25 +36,25 @@ const std::vector<Formulation<Scalar>>& formulations() {
     using detail::formulation;
     static const std::vector<Formulation<Scalar>> all{
         formulation<Scalar>(
-            "original", "3.1", "(11) (12)", 2,
+            "original", "3.1", "(11) (12)", 2, {0, 0},
             [](const auto& near) { return original::first_derivative(near); },
             [](const auto& D) { return original::second_derivative(D); }),
-        formulation<Scalar>("chen_beraun", "3.2", "(16) (20)", 3,
+        formulation<Scalar>("chen_beraun", "3.2", "(16) (20)", 3, {1, 1},
                             [](const auto& near) { return chen_beraun::derivatives(near); }),
         formulation<Scalar>(
-            "rkpm_first_order", "3.3", "(25) (26)", 2,
+            "rkpm_first_order", "3.3", "(25) (26)", 2, {0, 0},
             [](const auto& near) { return rkpm::first_derivative<1>(near); },
             [](const auto& D) { return rkpm::second_derivative(D); }),
         formulation<Scalar>(
-            "rkpm_second_order", "3.3", "(25) (26)", 3,
+            "rkpm_second_order", "3.3", "(25) (26)", 3, {0, 0},
             [](const auto& near) { return rkpm::first_derivative<2>(near); },
             [](const auto& D) { return rkpm::second_derivative(D); }),
         formulation<Scalar>(
-            "fpm", "3.4", "(30)", 2, [](const auto& near) { return fpm::first_derivative(near); },
+            "fpm", "3.4", "(30)", 2, {1, 1}, [](const auto& near) { return fpm::first_derivative(near); },
             [](const auto& D) { return fpm::second_derivative(D); }),
-        formulation<Scalar>("modified_fpm", "3.5", "(36)", 3,
+        formulation<Scalar>("modified_fpm", "3.5", "(36)", 3, {2, 2},
                             [](const auto& near) { return modified_fpm::derivatives(near); }),
-        formulation<Scalar>("second_order_fpm", "4", "(43)", 4,
+        formulation<Scalar>("second_order_fpm", "4", "(43)", 4, {2, 3},
                             [](const auto& near) { return second_order_fpm::derivatives(near); }),
     };
     return all;

@@ -30,6 +30,7 @@ struct Options {
     unsigned long seed = 1;
     unsigned long seeds = 1;
     bool median = false;
+    bool quality = false;
     int threads = 0;
     std::string output;
     Figure figure;  ///< the program sets the script, --plot the file

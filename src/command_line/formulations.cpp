@@ -31,7 +31,7 @@ template <class Scalar>
 const std::vector<asprone2010::Formulation<Scalar>>& formulations() {
     static const auto all = [] {
         auto list = asprone2010::formulations<Scalar>();
-        list.push_back({"ssph", "2", "(2.11) of Batra and Zhang (2008)", 3, ssph<Scalar>});
+        list.push_back({"ssph", "2", "(2.11) of Batra and Zhang (2008)", 3, {2, 2}, ssph<Scalar>});
         return list;
     }();
     return all;

@@ -7,6 +7,7 @@
 #include "asprone2010/in_quad.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/quality.hpp"
 #include "expressions/parser.hpp"
 
 namespace {
@@ -47,10 +48,15 @@ report::Table table_of(const Options& options, const std::optional<std::string>&
                      {"error_second", {1e-6, 2e-10}},
                      {"error_first_interior", {1e-6, 1e-12}},
                      {"error_second_interior", {1e-6, 2e-10}}};
+    command_line::Quality worth(options, quality::of_derivative_test);
+    worth.add_column(table);
     command_line::in_precision(options.precision, [&](auto zero) {
         const auto exact = exact_function<decltype(zero)>(function);
-        command_line::tabulate(table, options, [&](const Case& one) { return errors(options, one, exact); });
+        command_line::tabulate(table, options, [&](const Case& one) {
+            return worth.numbers(one, [&] { return errors(options, one, exact); });
+        });
     });
+    worth.add_comment(table);
     return table;
 }
 
@@ -75,5 +81,6 @@ int main(int argc, char** argv) {
            "the function B of x, smooth on [0, 1] (default exp(x)); made of " + expressions::vocabulary())
         .type_name("TEXT");
     command_line::add_precision(app, options);
+    command_line::add_quality(app, options);
     return command_line::run(app, argc, argv, options, [&] { return table_of(options, function); });
 }

@@ -7,6 +7,7 @@
 #include "asprone2010/in_quad.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/quality.hpp"
 #include "expressions/parser.hpp"
 
 namespace {
@@ -52,12 +53,15 @@ report::Table table_of(const Options& options) {
     // On long lines the error of an uncorrected solution is round-off, of which only the size is
     // reproducible.
     table.columns = {{"error_displacement", {corrected ? 1e-6 : 0.9, 5e-10}}};
+    command_line::Quality worth(options, quality::of_static_test);
+    worth.add_column(table);
     command_line::in_precision(options.precision, [&](auto zero) {
         const auto exact = exact_displacement<decltype(zero)>(options.displacement);
-        command_line::tabulate(table, options, [&](const Case& one) -> std::vector<report::Cell> {
-            return {error(options, one, exact)};
+        command_line::tabulate(table, options, [&](const Case& one) {
+            return worth.numbers(one, [&] { return std::vector<report::Cell>{error(options, one, exact)}; });
         });
     });
+    worth.add_comment(table);
     return table;
 }
 
@@ -89,5 +93,6 @@ int main(int argc, char** argv) {
         .type_name("K")
         .within(0, static_test::most_corrections);
     command_line::add_precision(app, options);
+    command_line::add_quality(app, options);
     return command_line::run(app, argc, argv, options, [&] { return table_of(options); });
 }

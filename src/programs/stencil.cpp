@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "asprone2010/local_conditions.hpp"
+#include "asprone2010/quality.hpp"
 #include "asprone2010/round_off.hpp"
 #include "base/text.hpp"
 #include "command_line/cases.hpp"
@@ -45,6 +46,16 @@ std::vector<std::string> terms(const Stencil<double>& stencil, int derivative) {
     return lines;
 }
 
+/// The bound of a row's error. \param exact up to which degree polynomials are differentiated exactly
+std::string bound(const Stencil<double>& stencil, int derivative, int exact) {
+    const std::string name = derivative == 1 ? "D" : "D2";
+    const std::string R = shown(particles::quality<double, 1>(stencil.w, stencil.r, exact));
+    const std::string most =
+        " delta^" + std::to_string(exact + 1 - derivative) + " max|B^(" + std::to_string(exact + 1) + ")|";
+    return name + ", quality R = " + R +
+           (exact < derivative ? ": the sum itself is at most R" : ": the error is at most R") + most;
+}
+
 /// The one case that is asked for.
 command_line::Case only_case(const command_line::Options& options) {
     const std::vector<command_line::Case> cases = command_line::cases(options);
@@ -62,7 +73,8 @@ report::Table weights(const command_line::Options& options, long particle) {
     if (particle < 0 || particle >= line.size())
         throw base::InvalidInput("there is no particle " + std::to_string(particle) + "; choose 0 to " +
                                  std::to_string(line.size() - 1));
-    const auto [D, D2] = command_line::formulation_named(asked.formulation).operators(line, smoothing);
+    const auto& formulation = command_line::formulation_named(asked.formulation);
+    const auto [D, D2] = formulation.operators(line, smoothing);
     const auto first = limit_stencils::row<double>(D, line, particle, line.spacing(), 1);
     const auto second = limit_stencils::row<double>(D2, line, particle, line.spacing(), 2);
 
@@ -76,6 +88,7 @@ report::Table weights(const command_line::Options& options, long particle) {
     comment({conditions(asked.formulation, particles::neighbourhood(line, smoothing, particle))});
     comment(terms(first, 1));
     comment(terms(second, 2));
+    comment({bound(first, 1, formulation.exact.first), bound(second, 2, formulation.exact.second)});
     comment({"sum of |weights|, D: " + shown(limit_stencils::amplification(first)) +
              ", D2: " + shown(limit_stencils::amplification(second))});
     table.columns = {{"particle"},

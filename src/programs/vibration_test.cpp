@@ -9,6 +9,7 @@
 #include "base/memory.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/quality.hpp"
 #include "command_line/sweep.hpp"
 
 namespace {
@@ -73,10 +74,11 @@ std::vector<Cell> row(const Options& options, const Case& one, Index n, const st
 
 /// The lowest modes of a case, with their residuals.
 Rows lowest_modes(const Options& options, const Case& one) {
+    const bool lumped = one.formulation == "fem_lumped";
+    if (!lumped) command_line::require_quality(options, one, quality::of_vibration_test);
     const auto [line, smoothing] = command_line::line_of(options, one);
-    const auto D2 = one.formulation == "fem_lumped"
-                        ? vibration_test::lumped_second_derivative(line)
-                        : formulation_named(one.formulation).operators(line, smoothing).D2;
+    const auto D2 = lumped ? vibration_test::lumped_second_derivative(line)
+                           : formulation_named(one.formulation).operators(line, smoothing).D2;
     Rows rows;
     Index n = 0;
     for (const vibration_test::Mode& mode : vibration_test::lowest_modes(D2, options.lowest))
@@ -90,6 +92,7 @@ std::vector<std::complex<double>> frequencies(const Options& options, const Case
         return vibration_test::finite_element_frequencies(discrete.line, Mass::lumped);
     if (one.formulation == "fem_consistent")
         return vibration_test::finite_element_frequencies(discrete.line, Mass::consistent);
+    command_line::require_quality(options, one, quality::of_vibration_test);
     return vibration_test::frequencies(formulation_named(one.formulation), discrete);
 }
 

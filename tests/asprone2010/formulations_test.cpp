@@ -10,11 +10,11 @@ using support::particles_of;
 namespace {
 
 /// Polynomials of what degree the operators of a formulation differentiate exactly, on any particles.
-struct Exactness {
+struct Degrees {
     std::string_view formulation;
     int first, second;
 };
-constexpr Exactness exactness[] = {
+constexpr Degrees exactness[] = {
     {"original", 0, 0}, {"chen_beraun", 1, 1},  {"rkpm_first_order", 0, 0}, {"rkpm_second_order", 0, 0},
     {"fpm", 1, 1},      {"modified_fpm", 2, 2}, {"second_order_fpm", 2, 3},
 };
@@ -61,6 +61,8 @@ TEST_CASE(
                         CAPTURE(particles::name(kernel));
                         CAPTURE(seed);
                         const auto& formulation = formulation_named<double>(name);
+                        CHECK(formulation.exact.first == first);
+                        CHECK(formulation.exact.second == second);
                         for (int degree = 0; degree <= first; ++degree)
                             CHECK(errors(formulation, degree, volumes, kernel, seed)[0] < 1e-10);
                         for (int degree = 0; degree <= second; ++degree)

@@ -1,38 +1,17 @@
 #include <doctest/doctest.h>
 #include <omp.h>
 
-#include "solvers/cholesky.hpp"
 #include "tests/clouds.hpp"
+#include "tests/least_squares.hpp"
 #include "tests/polynomial.hpp"
 #include "tests/same_bytes.hpp"
 
 using namespace particles;
+using support::LeastSquares;
 using support::same_bytes;
 
 namespace {
 
-/// Weighted least squares with the monomials of degree 1 and 2, in any dimension: a formulation of this
-/// test's own, which uses all that a neighbourhood holds but DW.
-struct LeastSquares {
-    template <int dim>
-    Derivatives<double, dim> operator()(const Neighbourhood<double, dim>& near) const {
-        const auto& [r, W, DW, V] = near;
-        constexpr int n = terms<dim, 2> - 1;
-        Eigen::MatrixXd P = Eigen::MatrixXd::Ones(r.rows(), n);
-        for (int k = 0; k < n; ++k) {
-            const Exponents<dim> a = monomials<dim, 2>()[static_cast<std::size_t>(k + 1)];
-            for (int axis = 0; axis < dim; ++axis)
-                for (int power = 0; power < a[static_cast<std::size_t>(axis)]; ++power)
-                    P.col(k).array() *= r.col(axis);
-            P.col(k) /= factorial<dim>(a);
-        }
-        const Eigen::MatrixXd weighted = (W * V).matrix().asDiagonal() * P;
-        const solvers::Cholesky<double> factors(P.transpose().lazyProduct(weighted));
-        const Eigen::ArrayXXd weights =
-            solved<solvers::Cholesky<double>, double>(factors, weighted.transpose());
-        return {weights.topRows(dim).transpose(), weights.bottomRows(n - dim).transpose()};
-    }
-};
 const Requirement required{"least_squares", 3};
 
 /// Random particles in the unit cube, enough around each of them.

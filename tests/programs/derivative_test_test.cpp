@@ -1,10 +1,13 @@
 #include <cmath>
+#include <fstream>
 
+#include "base/text.hpp"
 #include "command_line/formulations.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/relative.hpp"
 
+using programs::check_refused;
 using programs::run;
 
 namespace {
@@ -96,4 +99,29 @@ TEST_CASE("derivative_test: the reader's function in each precision; another pre
     }
     programs::check_refused("derivative_test --precision half", 2,
                             "there is no precision 'half'; choose one of double, long, quad");
+}
+
+TEST_CASE("derivative_test: --quality adds R of the worst row, and a comment says where it is") {
+    const auto plain = run("derivative_test --formulation second_order_fpm --particles 20,40"),
+               with_R = run("derivative_test --formulation second_order_fpm --particles 20,40 --quality");
+    CHECK(plain.output.find("quality") == std::string::npos);
+    CHECK(with_R.output.find("the largest is 6.23, second_order_fpm, D2B at particle ") != std::string::npos);
+    const auto table = report::parsed(with_R.output);
+    REQUIRE(table.rows.size() == 2);
+    for (const auto& row : table.rows)
+        CHECK(std::get<double>(row[table.column("quality")]) == support::relative(6.2272, 1e-4));
+}
+
+TEST_CASE("derivative_test, static_test, vibration_test: a row next to a zero of (43) is refused") {
+    const support::Folder folder;
+    const std::string file = folder.path + "/gap.txt";
+    std::ofstream out(file);
+    for (int j = 0; j <= 100; ++j)
+        out << (j == 0 ? "0" : base::shown((0.0980558 + j - 1) / 99.0980558, 17)) << "\n";
+    out.close();
+    for (const char* program : {"derivative_test", "static_test", "vibration_test"})
+        check_refused(
+            std::string(program) +
+                " --formulation second_order_fpm --smoothing 2 --smoothing-from largest --positions " + file,
+            1, "leave one of them out, or try --smoothing 2.2");
 }

@@ -21,6 +21,8 @@ TEST_CASE(
     }
     CHECK(output.find("D, moment 2 / 2!: ") != std::string::npos);
     CHECK(output.find("# D2, moment 3 / 3!: 1: leaves 1 delta^1 B^(3)\n") != std::string::npos);
+    CHECK(output.find("# D2, quality R = 1.66667: the error is at most R delta^1 max|B^(3)|\n") !=
+          std::string::npos);
     CHECK(output.find("condition of the system for DB and D2B: ") != std::string::npos);
 }
 

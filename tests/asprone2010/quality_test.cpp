@@ -1,0 +1,158 @@
+#include "asprone2010/quality.hpp"
+
+#include <string>
+
+#include "tests/support.hpp"
+
+using namespace asprone2010;
+using numerical_tests::Particles;
+using particles::Gaussian;
+using particles::Spacing;
+using particles::Volumes;
+using quality::of_derivative_test;
+using quality::of_static_test;
+using quality::of_vibration_test;
+using support::particles_of;
+
+namespace {
+
+const Formulation<double>& second_order_fpm() {
+    return formulation_named<double>("second_order_fpm");
+}
+
+/// A hundred particles at equal distances δ on [0, 1] behind a short first gap, with h = 2δ.
+/// \param gap the first gap in units of δ
+Particles<double> after_a_short_gap(double gap) {
+    const Index N = 101;
+    Column<double> x(N);
+    for (Index j = 0; j < N; ++j)
+        x[j] = j == 0 ? 0 : (gap + static_cast<double>(j - 1)) / (gap + static_cast<double>(N - 2));
+    return numerical_tests::discretise<double>({Volumes::equal, Gaussian{}, 2, 0, Spacing::largest}, x);
+}
+
+double R_of(const Particles<double>& discrete) {
+    return quality::worst(second_order_fpm(), discrete, of_derivative_test).R;
+}
+
+/// The message of a refusal; empty where there is none.
+std::string refusal(const Formulation<double>& formulation, const Particles<double>& discrete,
+                    quality::RowsOf rows) {
+    try {
+        quality::require(formulation, discrete, rows);
+    } catch (const base::FailedComputation& refused) {
+        return refused.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "quality: on particles at equal distances R is 0.13 inside and 6.2 at the ends, whatever their number") {
+    for (const Index N : {10, 100, 1000}) {
+        const auto discrete = particles_of(N);
+        const auto D2 = second_order_fpm().operators(discrete.line, discrete.smoothing).D2;
+        const Column<double> R = particles::quality(D2, discrete.line, 2, 3, quality::spacing(discrete));
+        CHECK(R[0] == support::relative(6.2272, 1e-4));
+        CHECK(R[N - 1] == support::relative(6.2272, 1e-4));
+        if (N > 20) CHECK(R[N / 2] == support::relative(0.12643, 1e-4));
+        CHECK(R.maxCoeff() == support::relative(6.2272, 1e-4));
+    }
+}
+
+TEST_CASE("quality: none of the perturbed lines of the paper is refused, by any formulation") {
+    for (unsigned long seed = 1; seed <= 20; ++seed)
+        for (const Index N : {10, 17, 40, 113, 320})
+            for (const auto volumes : {Volumes::equal, Volumes::partition}) {
+                CAPTURE(seed);
+                CAPTURE(N);
+                const auto discrete = particles_of(N, {volumes, Gaussian{}, 1, 0.25}, seed);
+                for (const auto& formulation : formulations<double>()) {
+                    CAPTURE(formulation.name);
+                    const auto row = quality::require(formulation, discrete, of_derivative_test);
+                    CHECK(row.R < (row.p() > 0 ? 20 : 6));
+                }
+            }
+}
+
+TEST_CASE(
+    "quality: next to the zero of (43) behind a short first gap R grows without bound, and the row is refused") {
+    CHECK(R_of(after_a_short_gap(0.12)) == support::relative(16.47, 1e-3));
+    CHECK(R_of(after_a_short_gap(0.099)) == support::relative(423.7, 1e-3));
+    CHECK(R_of(after_a_short_gap(0.098096)) == support::relative(9990, 1e-2));
+    CHECK(R_of(after_a_short_gap(0.0980558)) > 1e5);
+
+    const auto accepted = after_a_short_gap(0.099), refused = after_a_short_gap(0.098096);
+    for (const auto rows : {of_derivative_test, of_static_test, of_vibration_test}) {
+        CHECK(refusal(second_order_fpm(), accepted, rows).empty());
+        CHECK(
+            refusal(second_order_fpm(), refused, rows) ==
+            "second_order_fpm: at particle 1 (x = 0.000989888) the error of D2B may reach R delta^2 |B^(4)| with R = 9.99e+03, where 1000 is the most for a table; particles 0 and 1 lie 0.00099 apart, the next one 0.0101; leave one of them out, or try --smoothing 2.2");
+    }
+}
+
+TEST_CASE("quality: the remedies of a refusal help when they are followed") {
+    const auto refused = after_a_short_gap(0.098096);
+    Column<double> fewer(refused.line.size() - 1);
+    fewer << 0, refused.line.x().tail(fewer.size() - 1);
+    const numerical_tests::Discretisation how{Volumes::equal, Gaussian{}, 2, 0, Spacing::largest};
+    CHECK(R_of(numerical_tests::discretise<double>(how, fewer)) < 100);
+
+    int proposed = 0;
+    for (unsigned long seed = 1; seed <= 100; ++seed) {
+        numerical_tests::Discretisation wide{Volumes::equal, Gaussian{}, 4, 0.25};
+        const auto& modified = formulation_named<double>("modified_fpm");
+        const std::string message = refusal(modified, particles_of(200, wide, seed), of_derivative_test);
+        const auto at = message.find("--smoothing ");
+        if (at == std::string::npos) continue;
+        CAPTURE(message);
+        ++proposed;
+        wide.smoothing = std::stod(message.substr(at + 12));
+        CHECK(refusal(modified, particles_of(200, wide, seed), of_derivative_test).empty());
+    }
+    CHECK(proposed > 3);
+}
+
+TEST_CASE("quality: a test refuses only rows that it uses") {
+    // The bad row is one of D at an end, which a vibration with fixed ends does not use.
+    const numerical_tests::Discretisation how{Volumes::equal, particles::kernel_named("wendland_c4"), 2.4,
+                                              0.25};
+    int refused = 0;
+    for (const Index N : {161, 321, 641})
+        for (unsigned long seed = 1; seed <= 5; ++seed) {
+            const auto discrete = particles_of(N, how, seed);
+            const auto row = quality::worst(second_order_fpm(), discrete, of_derivative_test);
+            if (row.R < quality::most(row)) continue;
+            ++refused;
+            CHECK(row.derivative == 1);
+            CHECK(quality::worst(second_order_fpm(), discrete, of_vibration_test).R < 20);
+        }
+    CHECK(refused > 0);
+}
+
+TEST_CASE("quality: where no power of delta makes the error small, less is accepted") {
+    // Two particles at each end, and a kernel that sees little beyond them.
+    Column<double> x(13);
+    x << 0, 1e-5, Column<double>::LinSpaced(9, 0.1, 0.9), 1 - 1e-5, 1;
+    const auto discrete = numerical_tests::discretise<double>({Volumes::equal, Gaussian{}, 0.31}, x);
+    const auto& chen_beraun = formulation_named<double>("chen_beraun");
+    const auto row = quality::worst(chen_beraun, discrete, of_derivative_test);
+    CHECK(row.p() == 0);
+    CHECK(row.R > 100);
+    CHECK(row.R < 1000);
+    CHECK_FALSE(refusal(chen_beraun, discrete, of_derivative_test).empty());
+}
+
+TEST_CASE(
+    "quality: R is measured in the spacing from which h is taken, and does not depend on the unit of length") {
+    const numerical_tests::Discretisation how{Volumes::equal, Gaussian{}, 1.4, 0.2, Spacing::local};
+    const auto discrete = particles_of(40, how);
+    CHECK((quality::spacing(discrete) - particles::spacing(discrete.line, Spacing::local)).abs().maxCoeff() <
+          1e-15);
+    const Column<double> x = 1000 * discrete.line.x() - 3;
+    const auto in_mm = numerical_tests::discretise<double>(how, x);
+    CHECK(R_of(in_mm) == support::relative(R_of(discrete), 1e-9));
+    const Particles<double> of_a_length{discrete.line, {Gaussian{}, 0.03}};
+    CHECK(quality::spacing(of_a_length).size() == 1);
+    CHECK(quality::spacing(of_a_length)[0] == support::relative(1 / 39.0, 1e-12));
+}
