@@ -70,8 +70,10 @@ TEST_CASE(
     }
     for (const std::string& equation : equations)
         CHECK(std::regex_match(equation, std::regex("[AB][0-9.]+")));
-    const auto ids = column("paper/claims.csv", "id"), old_ids = column("paper/claims.csv", "old_id");
+    const auto ids = column("paper/claims.csv", "id");
     CHECK(set_of(ids).size() == ids.size());
+    auto old_ids = column("paper/claims.csv", "old_id");
+    std::erase(old_ids, "");  // of a claim that never had another
     CHECK(set_of(old_ids).size() == old_ids.size());
 }
 
