@@ -99,9 +99,10 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
 }
 
 /// "try --scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth.
+/// \param lengths the smoothing lengths of particles for which it is to be enough, too; or none
 template <int dim>
 std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
-                   const Point<dim>& x, double h) {
+                   const Point<dim>& x, double h, const Column<double>& lengths) {
     const Index n = monomials.number;
     if (cloud.size() < n) return "take at least " + std::to_string(n) + " particles";
     const std::string larger_h = smoothing_remedy(cloud, monomials, rho, x);
@@ -109,11 +110,22 @@ std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& mon
         return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
     Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
     std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
-    const double reaching_n = std::floor(10 * distance[n - 1] / h * (1 + 1e-6) + 1);
+    const Column<double> needed =
+        lengths.size() == 0
+            ? Column<double>(distance.segment(n - 1, 1) / h)
+            : Column<double>(particles::spacing(cloud, particles::Spacing::to_nearest(n - 1)) / lengths);
+    const double reaching_n = std::floor(10 * needed.maxCoeff() * (1 + 1e-6) + 1);
     const double first = std::max(reaching_n, std::ceil(10 * rho + 5));
+    const std::vector<Index> hardest = lengths.size() == 0 ? std::vector<Index>{} : loneliest(needed);
+    const auto enough = [&](double scaling) {
+        return monomials.determined(scaling, h, x) &&
+               std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
+                   return monomials.determined(scaling, lengths[j], cloud.x().col(j));
+               });
+    };
     for (int more = 0; more < 50; ++more) {
         const double scaling = (first + more) / 10;
-        if (monomials.determined(scaling, h, x))
+        if (enough(scaling))
             return "try --scaling " + base::shown(scaling) + (larger_h.empty() ? "" : " or " + larger_h);
     }
     if (!larger_h.empty()) return "try " + larger_h;
@@ -129,12 +141,12 @@ std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& mon
 template <int dim>
 base::FailedComputation refusal(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
                                 double rho, const Point<dim>& x, double h, std::size_t found,
-                                const std::string& why) {
+                                const std::string& why, const Column<double>& lengths = {}) {
     return base::FailedComputation(
         "ssph_basis: at " + particles::shown_point(x) + " there are " + std::to_string(found) +
         " particles within " + base::shown(rho) + "h = " + base::shown(rho * h, 3) + " for the " +
         std::to_string(monomials.number) + " monomials of degree " + std::to_string(monomials.degree) + why +
-        "; " + remedy(cloud, monomials, rho, x, h));
+        "; " + remedy(cloud, monomials, rho, x, h, lengths));
 }
 
 }  // namespace
@@ -162,6 +174,18 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 }
 
 template <int m, int dim>
+void require_particles(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
+                       const Column<double>& h) {
+    for (Index j = 0; j < cloud.size(); ++j) {
+        const Point<dim> x = cloud.x().col(j);
+        const std::vector<int> around = cloud.around(x, kernel.rho() * h[j]);
+        const std::size_t found = support_at(cloud, kernel, x, h[j], around).particle.size();
+        if (found < static_cast<std::size_t>(terms<dim, m>))
+            throw refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), x, h[j], found, "", h);
+    }
+}
+
+template <int m, int dim>
 std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
                                         const particles::TruncatedGaussian<dim>& kernel, Index particle,
                                         double h, Index enough) {
@@ -180,6 +204,8 @@ std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
                                     const Point<dim>&, double, const std::vector<int>&, Slopes);            \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
                                     const Point<dim>&, double, Slopes);                                     \
+    template void require_particles<m>(const particles::Cloud<dim>&,                                        \
+                                       const particles::TruncatedGaussian<dim>&, const Column<double>&);    \
     template std::vector<int> nearest_that_determine<m>(                                                    \
         const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, Index, double, Index);
 BATRA2008_BASIS_AT(1, 1)

@@ -26,6 +26,13 @@ template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h, Slopes slopes = Slopes::known);
 
+/// \param h smoothing length of each particle [length]
+/// \throws base::FailedComputation unless each particle sees as many particles as there are monomials of degree m,
+///         itself included; it names the first, and a scaling factor that is enough for all
+template <int m, int dim>
+void require_particles(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
+                       const Column<double>& h);
+
 /// The particles of a growing disc around a particle, as soon as there are enough of them and they determine
 /// the monomials; all within the kernel's support if that is not larger.
 /// \param h smoothing length of the particle [length] \param enough least number of particles

@@ -180,6 +180,7 @@ template <int m>
 System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               Index small = solvers::small_system / 2) {
     problem = elastostatics::checked(std::move(problem), cloud);
+    ssph_basis::require_particles<m>(cloud, kernel, h);
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
     base::for_each_index(cloud.size(), [&](Index I) {
         near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * h[I]);

@@ -429,6 +429,7 @@ template <int m>
 System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               const WeakForm& form) {
     problem = elastostatics::checked(std::move(problem), cloud);
+    ssph_basis::require_particles<m>(cloud, kernel, h);
     const particles::Region region = elastostatics::region(problem);
     const Eigen::Matrix3d D = elastostatics::D(problem.material);
     const Kernel test(form.test_scaling);

@@ -1,5 +1,7 @@
 #include "batra2008/section_4_2_hole.hpp"
 
+#include <string>
+
 #include "batra2008/basis_at.hpp"
 
 #include "tests/batra2008/bases.hpp"
@@ -115,6 +117,27 @@ TEST_CASE("hole: C is well conditioned all over the quarter, for both reference 
             CHECK(support::condition(ssph_basis::basis_at<2>(cloud, Kernel(4), at.x, h).matrix()) < 1000);
         }
     }
+}
+
+TEST_CASE("hole: a scaling factor that is too small is refused with one that all particles can take") {
+    const Problem problem = hole::problem(material, shape);
+    for (const unsigned long draw : {1UL, 2UL, 3UL})
+        for (const double scaling : {1.2, 1.5, 2.0}) {
+            const Cloud<2> cloud(hole::graded_layout(shape, 188, 11, draw));
+            example_problems::Discretisation how{.method = example_problems::Method::strong,
+                                                 .scaling = scaling};
+            std::string why;
+            try {
+                example_problems::solve(problem, cloud, how);
+            } catch (const base::FailedComputation& refused) {
+                why = refused.what();
+            }
+            CAPTURE(why);
+            const auto remedy = why.find("try --scaling ");
+            REQUIRE(remedy != std::string::npos);
+            how.scaling = std::stod(why.substr(remedy + 14));
+            CHECK_NOTHROW(example_problems::solve(problem, cloud, how));
+        }
 }
 
 TEST_CASE("hole: the background mesh has the area of the quarter") {
