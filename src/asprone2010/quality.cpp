@@ -105,13 +105,14 @@ Row worst(const Formulation<double>& formulation, const Particles<double>& discr
     const auto& [line, smoothing] = discrete;
     const auto [D, D2] = formulation.operators(line, smoothing);
     const Column<double> delta = spacing(discrete);
+    const double ratio = smoothing.h() / delta.maxCoeff();
     const auto [first, second] = rows(line.size());
     Row found;
     const auto look = [&](const Operator<double>& derivative, int k, int exact,
                           const particles::Range& some) {
         if (some.size() <= 0) return;
         const Column<double> R = particles::quality(derivative, line, k, exact, delta);
-        Row row{0, 0, k, exact};
+        Row row{0, 0, k, exact, ratio};
         row.R = R.segment(some.first, some.size()).maxCoeff(&row.particle);
         row.particle += some.first;
         if (row.R / most(row) > found.R / most(found)) found = row;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "particles/quality.hpp"
 
@@ -53,14 +56,16 @@ struct Row {
     Index particle = 0;
     int derivative = 2;  ///< k: 1 for a row of D, 2 for one of D²
     int exact = 0;       ///< m
+    double ratio = 1;    ///< h/δ
     [[nodiscard]] int p() const { return exact + 1 - derivative; }
 };
 
-/// The largest R of a row that is worth a table. With p > 0, it is sixty times the worst of the perturbed
-/// lines above; the second derivative of eˣ may then err by 10 % on 100 particles. With p ≤ 0, no number of
-/// particles makes the error small, and it is forty times the worst.
+/// The largest R of a row that is worth a table, \f$1000\max(1, h/\delta)^p\f$: a wide kernel errs by
+/// \f$O(h^p)\f$, which is not the row's fault. With h = δ it is sixty times the worst of the perturbed lines
+/// above; the second derivative of eˣ may then err by 10 % on 100 particles. With p ≤ 0, no number of
+/// particles makes the error small, and it is 100.
 inline double most(const Row& row) {
-    return row.p() > 0 ? 1000 : 100;
+    return row.p() > 0 ? 1000 * std::pow(std::max(1.0, row.ratio), row.p()) : 100;
 }
 
 /// The worst of the rows of a formulation that a test uses, measured by R over most(). Errors as for

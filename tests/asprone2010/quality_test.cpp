@@ -87,7 +87,7 @@ TEST_CASE(
         CHECK(refusal(second_order_fpm(), accepted, rows).empty());
         CHECK(
             refusal(second_order_fpm(), refused, rows) ==
-            "second_order_fpm: at particle 1 (x = 0.000989888) the error of D2B may reach R delta^2 |B^(4)| with R = 9.99e+03, where 1000 is the most for a table; particles 0 and 1 lie 0.00099 apart, the next one 0.0101; leave one of them out, or try --smoothing 2.2");
+            "second_order_fpm: at particle 1 (x = 0.000989888) the error of D2B may reach R delta^2 |B^(4)| with R = 9.99e+03, where 4000 is the most for a table; particles 0 and 1 lie 0.00099 apart, the next one 0.0101; leave one of them out, or try --smoothing 2.2");
     }
 }
 
@@ -128,6 +128,13 @@ TEST_CASE("quality: a test refuses only rows that it uses") {
             CHECK(quality::worst(second_order_fpm(), discrete, of_vibration_test).R < 20);
         }
     CHECK(refused > 0);
+}
+
+TEST_CASE("quality: a kernel that is wide against the spacing is not refused for that") {
+    for (const auto& formulation : formulations<double>())
+        for (const double ratio : {5.0, 30.0, 1000.0})
+            CHECK(refusal(formulation, particles_of(40, {Volumes::equal, Gaussian{}, ratio}), of_static_test)
+                      .empty());
 }
 
 TEST_CASE("quality: where no power of delta makes the error small, less is accepted") {
