@@ -141,13 +141,6 @@ TEST_CASE("quality: a kernel that is wide against the spacing is not refused for
                       .empty());
 }
 
-TEST_CASE("quality: a kernel that is wide against the spacing is not refused for that") {
-    for (const auto& formulation : formulations<double>())
-        for (const double ratio : {5.0, 30.0, 1000.0})
-            CHECK(refusal(formulation, particles_of(40, {Volumes::equal, Gaussian{}, ratio}), of_static_test)
-                      .empty());
-}
-
 TEST_CASE("quality: where no power of delta makes the error small, less is accepted") {
     // Two particles at each end, and a kernel that sees little beyond them.
     Column<double> x(13);
