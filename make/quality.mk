@@ -78,7 +78,7 @@ fuzz-build:
 fuzz: fuzz-build ## feed random input to what reads expressions, positions and tables, SECONDS=60 each
 	@bash tests/fuzz $(BUILD)/fuzzing $(SECONDS) $(readers)
 read := $(BUILD)/libreaders.a
-$(read): $(call objects_in,src/base/% src/expressions/% src/report/% src/command_line/positions.cpp)
+$(read): $(call objects_in,src/base/% src/expressions/% src/report/% src/command_line/columns.cpp src/command_line/positions.cpp)
 $(readers:%=$(bin)/fuzz_%): $(bin)/fuzz_%: $(BUILD)/tests/fuzzing/%.o $(read)
 	@mkdir -p $(@D)
 	echo "link $@"
