@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "particles/close_pair.hpp"
 #include "particles/spacing.hpp"
@@ -110,13 +111,16 @@ std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& mon
         return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
     Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
     std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
-    const Column<double> needed =
-        lengths.size() == 0
-            ? Column<double>(distance.segment(n - 1, 1) / h)
-            : Column<double>(particles::spacing(cloud, particles::Spacing::to_nearest(n - 1)) / lengths);
-    const double reaching_n = std::floor(10 * needed.maxCoeff() * (1 + 1e-6) + 1);
+    double needed = distance[n - 1] / h;
+    std::vector<Index> hardest;
+    if (lengths.size() > 0) {
+        const Column<double> of_each =
+            particles::spacing(cloud, particles::Spacing::to_nearest(n - 1)) / lengths;
+        needed = std::max(needed, of_each.maxCoeff());
+        hardest = loneliest(of_each);
+    }
+    const double reaching_n = std::floor(10 * needed * (1 + 1e-6) + 1);
     const double first = std::max(reaching_n, std::ceil(10 * rho + 5));
-    const std::vector<Index> hardest = lengths.size() == 0 ? std::vector<Index>{} : loneliest(needed);
     const auto enough = [&](double scaling) {
         return monomials.determined(scaling, h, x) &&
                std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
@@ -176,13 +180,13 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 template <int m, int dim>
 void require_particles(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Column<double>& h) {
-    for (Index j = 0; j < cloud.size(); ++j) {
+    base::for_each_index(cloud.size(), [&](Index j) {
         const Point<dim> x = cloud.x().col(j);
         const std::vector<int> around = cloud.around(x, kernel.rho() * h[j]);
         const std::size_t found = support_at(cloud, kernel, x, h[j], around).particle.size();
         if (found < static_cast<std::size_t>(terms<dim, m>))
             throw refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), x, h[j], found, "", h);
-    }
+    });
 }
 
 template <int m, int dim>

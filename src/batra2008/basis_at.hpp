@@ -27,8 +27,8 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
                        const Point<dim>& x, double h, Slopes slopes = Slopes::known);
 
 /// \param h smoothing length of each particle [length]
-/// \throws base::FailedComputation unless each particle sees as many particles as there are monomials of degree m,
-///         itself included; it names the first, and a scaling factor that is enough for all
+/// \throws base::FailedComputation unless each particle sees as many particles as there are monomials of
+///         degree m, itself included; it names the first, and a scaling factor that is enough for all
 template <int m, int dim>
 void require_particles(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Column<double>& h);

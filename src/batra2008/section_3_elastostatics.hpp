@@ -200,8 +200,8 @@ inline particles::Region region(const Problem& problem) {
 }
 
 /// A problem that its particles can solve: with the body to the left of each side.
-/// \throws base::InvalidInput as particles::checked() for the boundary and particles::check_particles(), for a
-///         material without meaning, and for a corner at which no sides meet
+/// \throws base::InvalidInput as particles::checked() for the boundary and particles::check_particles(), for
+///         a material without meaning, and for a corner at which no sides meet
 inline Problem checked(Problem problem, const Cloud<2>& cloud) {
     problem.material = checked(problem.material);
     const particles::Region boundary = particles::checked(region(problem), problem.size);

@@ -22,8 +22,8 @@ class Columns {
     };
 
     /// Reads a file. \param option that names the file, for messages
-    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas and semicolons, each with
-    ///         what to do
+    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas and semicolons, each
+    ///         with what to do
     Columns(std::string option, std::string path);
     Columns(const Columns&) = delete;
     Columns& operator=(const Columns&) = delete;

@@ -71,8 +71,8 @@ class Sweep {
     /// Adds the row of a case that failed. \param cells that name the case
     void add_failed(std::vector<report::Cell> cells, const Failure& failure);
 
-    /// Adds the column of reasons, and says in Table::incomplete how many cases failed, which was the first and
-    /// why.
+    /// Adds the column of reasons, and says in Table::incomplete how many cases failed, which was the first,
+    /// and why.
     /// \throws base::InvalidInput or base::FailedComputation where no case succeeded
     void finish();
 

@@ -36,6 +36,7 @@ struct Fault {
     double distance;  ///< what moves it onto the boundary
 };
 
+/// Finds the particles of a cloud that may not lie where they lie.
 class Astray {
   public:
     Astray(const Cloud<2>& cloud, const Region& region, double size)
@@ -140,7 +141,7 @@ bool fits(const Points<2>& x, const Region& region, double size) {
 }
 
 /// "; try --snap 6.1e-08": the least distance that moves all particles that are astray, if they are not far
-/// from the boundary, onto it. Empty if no particle would be left where it must not be.
+/// from the boundary, onto it. Empty if that leaves a particle astray.
 std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size) {
     const Astray astray(cloud, region, size);
     double farthest = 0;

@@ -6,17 +6,17 @@
 
 namespace particles {
 
-/// Share of a particle's distance to the nearest other one within which it may not lie beside the boundary: it
-/// is then meant to be on it.
+/// Share of a particle's distance to the nearest other one within which it may not lie beside the boundary:
+/// it is then meant to be on it.
 constexpr double boundary_margin = 1e-3;
 
 /// Checks that the particles tell what boundary they have. Particles on it, within 1e-8 of the body's size,
 /// carry its conditions; the others are inner ones.
 /// \param region as checked() returns it
 /// \param size a length of the body
-/// \throws base::InvalidInput with a remedy, naming a particle, for one that lies outside the body; beside a part
-///         of the boundary within the boundary_margin; or within a quarter of its spacing, where that part has no
-///         particle of its own. Naming a part of the boundary, for one without a particle on it
+/// \throws base::InvalidInput with a remedy, naming a particle, for one that lies outside the body; beside a
+///         part of the boundary within the boundary_margin; or within a quarter of its spacing, where that
+///         part has no particle of its own. Naming a part of the boundary, for one without a particle on it
 void check_particles(const Cloud<2>& cloud, const Region& region, double size);
 
 /// Particles some of which were moved onto the boundary.

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "batra2008/basis_at.hpp"
-
 #include "tests/batra2008/bases.hpp"
 #include "tests/batra2008/elastic.hpp"
 
