@@ -6,6 +6,7 @@ check-doc: doc ## open every page of the walkthrough in a browser, and fail on w
 	@bash doc/check $(BUILD)/doc/html
 
 mathjax := /usr/share/javascript/mathjax
+mathjax_extensions := tex2jax toMathML MathEvents MathMenu MathZoom HelpDialog AssistiveMML
 walkthrough := doc/walkthrough.md $(filter-out %.md,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) \
                $(filter %_test.cpp,$(sources))
 $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
@@ -21,7 +22,7 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figu
 	    sed -i "s|<div class=\"title\">.*</div></div>|<div class=\"title\">$$title</div></div>|" "$(BUILD)/doc/html/$$page"
 	done
 	if [[ -s $(BUILD)/doc/warnings.log ]]; then cat $(BUILD)/doc/warnings.log >&2; rm -rf $(BUILD)/doc/html; exit 1; fi
-	for part in MathJax.js extensions/tex2jax.js extensions/TeX extensions/MathEvents.js jax/element jax/input/TeX \
+	for part in MathJax.js extensions/TeX $(mathjax_extensions:%=extensions/%.js) jax/element jax/input/TeX \
 	            jax/output/SVG/jax.js jax/output/SVG/config.js jax/output/SVG/autoload jax/output/SVG/fonts/TeX; do
 	    mkdir -p "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
 	    cp -rL "$(mathjax)/$$part" "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"

@@ -1,0 +1,98 @@
+// What doc/check looks at in each page: formulas, messages, scripts, images, widths, links, contents and search.
+const widths = [960, 1400].map((screen) => screen - 15);  // less a scroll bar
+const known = new Set(pages), ids = {}, links = [], problems = [];
+let formulas = 0, images = 0;
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+async function look(page, frame) {
+    const complain = (what) => problems.push(page + ": " + what);
+    const loaded = new Promise((done) => { frame.onload = done; });
+    frame.width = 1400;
+    frame.src = page + "?checked";
+    await loaded;
+    const view = frame.contentWindow, shown = frame.contentDocument;
+    const typeset = async () => {
+        const ready = new Promise((done) => view.MathJax.Hub.Queue(() => done(true)));
+        if (!await Promise.race([ready, pause(60000)])) complain("MathJax did not finish");
+    };
+    // MathJax loads where there are formulas, and two seconds later its menu.
+    const typesetting = view.MathJax && view.MathJax.Hub;
+    if (typesetting) {
+        await typeset();
+        await pause(4000);
+        const message = shown.getElementById("MathJax_Message");
+        if (message && message.offsetHeight > 0) complain("MathJax says " + message.textContent);
+        if (view.MathJax.Hub.config.messageStyle !== "none") complain("MathJax shows messages while it loads");
+    }
+    for (const failure of view.failures || ["the page could not be watched"]) complain("error: " + failure);
+
+    const rendered = shown.querySelectorAll(".MathJax_SVG svg").length;
+    const sources = shown.querySelectorAll('script[type^="math/tex"]').length;
+    formulas += rendered;
+    if (rendered !== sources) complain(sources + " formulas, " + rendered + " rendered");
+    const wrong = (node) => node && (node.type === "merror" || (node.data || []).some((part) => part && wrong(part)));
+    for (const formula of typesetting ? view.MathJax.Hub.getAllJax() : [])
+        if (wrong(formula.root)) complain("MathJax cannot read " + formula.originalText.slice(0, 60));
+    const left = shown.querySelector("main").innerText.replace(/\\\\/g, "").match(/.{0,30}(\\\(|\\\[|\\f\$|\\(eq|defeq|claim|ref)\b).{0,30}/);
+    if (left && !/_source\.html$/.test(page)) complain("formula or command left as text: " + left[0]);
+
+    for (const image of shown.querySelectorAll("main img")) { ++images; if (!image.naturalWidth) complain("image " + image.src + " did not load"); }
+    for (const image of shown.querySelectorAll("main object")) {
+        ++images;
+        if (!image.contentDocument || !image.contentDocument.querySelector("svg")) complain("image " + image.data + " did not load");
+    }
+
+    for (const width of [390, ...widths]) {
+        frame.width = width;
+        await pause(typesetting ? 500 : 30);
+        if (typesetting) await typeset();
+        const needed = shown.documentElement.scrollWidth;
+        if (needed > width) complain("needs " + needed + " pixels on a screen of " + width);
+        if (width > 390)
+            for (const box of shown.querySelectorAll("main :is(.formulaDsp, .fragment, .memproto, .markdownTable, .doxtable, .image, pre)"))
+                if (box.scrollWidth > box.clientWidth + 1)
+                    complain("cut at " + width + " pixels, needs " + (box.scrollWidth - box.clientWidth) + " more: " + box.className + " " + box.textContent.trim().slice(0, 60).replace(/\s+/g, " "));
+    }
+
+    ids[page] = new Set([...shown.querySelectorAll("[id], a[name]")].flatMap((node) => [node.id, node.getAttribute("name")]));
+    for (const link of shown.querySelectorAll("a[href]")) links.push([page, link.getAttribute("href")]);
+    for (const asset of shown.querySelectorAll("script[src], link[href], img[src]"))
+        if (/^(https?:)?\/\//.test(asset.getAttribute("src") || asset.getAttribute("href"))) complain("loads from the network: " + (asset.src || asset.href));
+    if (page === "index.html") {
+        const titles = [...shown.querySelectorAll("#contents li")].map((item) => item.textContent.trim().split(" ")[0]);
+        view.searchBox.OnSearchFieldFocus(true);
+        const field = shown.getElementById("MSearchField");
+        field.value = "second_derivative";
+        view.searchBox.OnSearchFieldChange({ keyCode: 0 });
+        view.searchBox.Search();
+        await pause(3000);
+        const results = [...shown.getElementById("MSearchResults").contentDocument.querySelectorAll(".SRResult")].filter(
+            (result) => result.style.display === "block" && /second_derivative/.test(result.textContent));
+        if (results.length === 0) complain("the search finds no second_derivative");
+        for (const section of [...sections, "5.1"]) if (!titles.includes(section)) complain("the contents miss Section " + section);
+    }
+}
+
+(async () => {
+    // Most of the time is waiting: several pages are looked at together.
+    const left = [...pages];
+    await Promise.all(Array.from({ length: 8 }, async () => {
+        const frame = document.createElement("iframe");
+        frame.height = 1000;
+        document.body.append(frame);
+        while (left.length > 0) await look(left.pop(), frame);
+    }));
+    let followed = 0;
+    for (const [page, link] of links) {
+        if (/^https?:\/\/(dx\.)?doi\.org\//.test(link) || link.startsWith("javascript:")) continue;
+        ++followed;
+        const [target, id] = link.split("#");
+        const file = decodeURIComponent(target) || page;
+        if (!known.has(file)) problems.push(page + ": dead link " + link);
+        else if (id && !ids[file].has(decodeURIComponent(id))) problems.push(page + ": dead link " + link);
+    }
+    const unique = [...new Set(problems)];
+    document.getElementById("report").textContent =
+        unique.join("\n") + "\n" + pages.length + " pages, " + formulas + " formulas rendered, " + followed + " links followed, " + images +
+        " images, " + unique.length + " problems";
+})().catch((error) => { document.getElementById("report").textContent = "the check itself failed: " + error.stack; });
