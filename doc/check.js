@@ -44,8 +44,11 @@ async function look(page, frame) {
 
     for (const width of [390, ...widths]) {
         frame.width = width;
-        await pause(typesetting ? 500 : 30);
-        if (typesetting) await typeset();
+        if (typesetting) {
+            view.dispatchEvent(new Event("resize"));  // a frame out of sight hears of its size late
+            await pause(300);
+            await typeset();
+        } else await pause(30);
         const needed = shown.documentElement.scrollWidth;
         if (needed > width) complain("needs " + needed + " pixels on a screen of " + width);
         if (width > 390)

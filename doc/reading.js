@@ -14,10 +14,10 @@ function typeset() {
     script.src = "mathjax/MathJax.js";
     document.head.append(script);
     // The number of an equation stands at the right edge, wherever that is.
-    let width = innerWidth, soon;
+    let width = document.body.clientWidth, soon;
     addEventListener("resize", () => {
-        if (innerWidth === width) return;
-        width = innerWidth;
+        if (document.body.clientWidth === width) return;
+        width = document.body.clientWidth;
         clearTimeout(soon);
         soon = setTimeout(() => window.MathJax.Hub.Queue(["Rerender", window.MathJax.Hub]), 200);
     });
@@ -34,6 +34,6 @@ document.addEventListener("DOMContentLoaded", () => {
     const page = location.pathname.split("/").pop() || "index.html";
     for (const link of document.querySelectorAll("#contents a"))
         if (link.getAttribute("href").split("#")[0] === page) link.classList.add("here");
-    if (window.matchMedia("(max-width: 1079px)").matches) document.querySelector("#contents details").open = false;
+    if (window.matchMedia("(max-width: 1239px)").matches) document.querySelector("#contents details").open = false;
     typeset();
 });

@@ -67,9 +67,11 @@ inline double expansion(double B_i, double DB_i, double D2B_i, double r) {
 }
 
 /// The expansion against \f$W_i\f$: its remainder e, of size \f$\|W_i\|_{L^1} O(h^3)\f$. \defeq{A18}
-/// \f[ \int_\Omega B\,W_i\,d\Omega = B(x_i)\int_\Omega W_i\,d\Omega
+/// \f[ \begin{aligned}
+///     \int_\Omega B\,W_i\,d\Omega &= B(x_i)\int_\Omega W_i\,d\Omega
 ///     + DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega
-///     + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,W_i\,d\Omega + e \tag{18} \f]
+///     \\ &+ \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,W_i\,d\Omega + e
+///     \end{aligned} \tag{18} \f]
 inline double second_remainder(const Function& B, double DB_i, double D2B_i, const CentredKernel& W_i) {
     const auto& W = W_i.W;
     const double projected = W_i.integral([&](double x) { return B(x) * W(x); });

@@ -137,9 +137,11 @@ Neighbourhood<Scalar> corrected(const Neighbourhood<Scalar>& near) {
 }
 
 /// Taylor's expansion against \f$K_i\f$, up to the second derivative: what \eq{A21} represents. \defeq{A24}
-/// \f[ \int_\Omega B\,K_i\,d\Omega = B(x_i)\int_\Omega K_i\,d\Omega
+/// \f[ \begin{aligned}
+///     \int_\Omega B\,K_i\,d\Omega &= B(x_i)\int_\Omega K_i\,d\Omega
 ///     + DB(x_i)\int_\Omega (x-x_i)\,K_i\,d\Omega
-///     + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,K_i\,d\Omega + \dots \tag{24} \f]
+///     \\ &+ \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,K_i\,d\Omega + \dots
+///     \end{aligned} \tag{24} \f]
 inline double expanded_value(double B_i, double DB_i, double D2B_i, const CentredKernel& K_i) {
     const auto& K = K_i.W;
     return B_i * K_i.moment(0, K) + DB_i * K_i.moment(1, K) + D2B_i * K_i.moment(2, K) / 2;

@@ -20,16 +20,20 @@ namespace asprone2010 {
 namespace modified_fpm {
 
 /// Expansion against \f$W_i\f$; returns the remainder \f$e''_1\f$. \defeq{A33}
-/// \f[ DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,W_i\,d\Omega
-///     = \int_\Omega [B(x)-B(x_i)]\,W_i\,d\Omega - e''_1 \tag{33} \f]
+/// \f[ \begin{aligned}
+///     DB(x_i)\int_\Omega (x-x_i)\,W_i\,d\Omega &+ \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,W_i\,d\Omega
+///     \\ &= \int_\Omega [B(x)-B(x_i)]\,W_i\,d\Omega - e''_1
+///     \end{aligned} \tag{33} \f]
 inline double first_remainder(const Function& B, double DB_i, double D2B_i, const CentredKernel& W_i) {
     const double projected = W_i.integral([&](double x) { return (B(x) - B(W_i.x)) * W_i.W(x); });
     return projected - DB_i * W_i.moment(1, W_i.W) - D2B_i * W_i.moment(2, W_i.W) / 2;
 }
 
 /// Expansion against \f$DW_i\f$; returns the remainder \f$e''_2\f$. \defeq{A34}
-/// \f[ DB(x_i)\int_\Omega (x-x_i)\,DW_i\,d\Omega + \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,DW_i\,d\Omega
-///     = \int_\Omega [B(x)-B(x_i)]\,DW_i\,d\Omega - e''_2 \tag{34} \f]
+/// \f[ \begin{aligned}
+///     DB(x_i)\int_\Omega (x-x_i)\,DW_i\,d\Omega &+ \tfrac12 D^2B(x_i)\int_\Omega (x-x_i)^2\,DW_i\,d\Omega
+///     \\ &= \int_\Omega [B(x)-B(x_i)]\,DW_i\,d\Omega - e''_2
+///     \end{aligned} \tag{34} \f]
 inline double second_remainder(const Function& B, double DB_i, double D2B_i, const CentredKernel& W_i) {
     const double projected = W_i.integral([&](double x) { return (B(x) - B(W_i.x)) * W_i.DW(x); });
     return projected - DB_i * W_i.moment(1, W_i.DW) - D2B_i * W_i.moment(2, W_i.DW) / 2;

@@ -222,9 +222,11 @@ Matrix<Scalar> summed(const Table<Scalar>& H, const Column<Scalar>& W) {
 
 /// The monomials of many offsets, a column for each particle; each row is an earlier one times a coordinate.
 /// \defeq{B2.6}
-/// \f[ H = \left[P^T(\xi^{g(1)}, x),\ \ldots,\ P^T(\xi^{g(N)}, x)\right], \quad
-///     W = \operatorname{diag}\!\left(W(\xi^{g(j)}, x)\right), \quad
-///     F^{(x)} = \left[f(\xi^{g(1)}),\ \ldots,\ f(\xi^{g(N)})\right]^T \tag{2.6} \f]
+/// \f[ \begin{aligned}
+///     H &= \left[P^T(\xi^{g(1)}, x),\ \ldots,\ P^T(\xi^{g(N)}, x)\right],
+///     \\ W &= \operatorname{diag}\!\left(W(\xi^{g(j)}, x)\right),
+///     \\ F^{(x)} &= \left[f(\xi^{g(1)}),\ \ldots,\ f(\xi^{g(N)})\right]^T
+///     \end{aligned} \tag{2.6} \f]
 /// \param s offsets, a row for each particle
 template <int dim, int m, class Scalar>
 Table<Scalar> H(const Eigen::Array<Scalar, Eigen::Dynamic, dim>& s) {

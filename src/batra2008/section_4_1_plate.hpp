@@ -46,9 +46,11 @@ constexpr double F0 = 1e6;                // [N]
 constexpr double E = 226.9e9, nu = 0.33;  // [Pa]
 
 /// The boundary conditions: the displacement is given at the left, the traction elsewhere. \defeq{B4.1}
-/// \f[ u_1 = \bar u_1,\ u_2 = \bar u_2\ \text{on the left};
-///     \quad t_1 = t_2 = 0\ \text{at the bottom and the top}; \quad
-///     t_1 = \bar t_1,\ t_2 = \bar t_2\ \text{on the right} \tag{4.1} \f]
+/// \f[ \begin{aligned}
+///     u_1 &= \bar u_1, & u_2 &= \bar u_2 && \text{on the left};
+///     \\ t_1 &= 0, & t_2 &= 0 && \text{at the bottom and the top};
+///     \\ t_1 &= \bar t_1, & t_2 &= \bar t_2 && \text{on the right}
+///     \end{aligned} \tag{4.1} \f]
 /// \return bottom, right, top and left; \f$\bar u\f$ and \f$\bar t\f$ are those of \eq{B4.2} and \eq{B4.3}
 inline std::vector<elastostatics::Side> sides() {
     using particles::Segment;

@@ -103,10 +103,10 @@ inline Shape checked(const Shape& shape) {
 /// The example problem: symmetry at the two axes, a free hole, and the exact tractions at the outer edges.
 /// \defeq{B4.9}
 /// \f[ \begin{aligned}
-///     u_1 = 0,\ t_2 = 0 &\ \text{on boundary 1 (the}\ x_2\text{-axis)};
-///         & t_1 = t_2 = 0 &\ \text{on boundary 2 (the hole)};
-///     \\ t_1 = 0,\ u_2 = 0 &\ \text{on boundary 3 (the}\ x_1\text{-axis)};
-///         & t_1 = \bar t_1,\ t_2 = \bar t_2 &\ \text{on boundaries 4 and 5}
+///     u_1 &= 0, & t_2 &= 0 && \text{on boundary 1 (the}\ x_2\text{-axis)};
+///     \\ t_1 &= 0, & t_2 &= 0 && \text{on boundary 2 (the hole)};
+///     \\ t_1 &= 0, & u_2 &= 0 && \text{on boundary 3 (the}\ x_1\text{-axis)};
+///     \\ t_1 &= \bar t_1, & t_2 &= \bar t_2 && \text{on boundaries 4 and 5}
 ///     \end{aligned} \tag{4.9} \f]
 /// \throws base::InvalidInput unless 0 < b < side
 inline Problem problem(const elastostatics::Material& material, const Shape& shape) {
