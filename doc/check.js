@@ -1,5 +1,6 @@
 // What doc/check looks at in each page: formulas, messages, scripts, images, widths, links, contents and search.
 const widths = [960, 1400].map((screen) => screen - 15);  // less a scroll bar
+const inCode = { chen_beraun: ["nonzero_sum"], second_order_fpm: ["moments", "matrix"], rkpm: ["inverse", "moment_matrix"] };  // names that are links
 const known = new Set(pages), ids = {}, links = [], problems = [];
 let formulas = 0, images = 0;
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -42,6 +43,15 @@ async function look(page, frame) {
         if (!image.contentDocument || !image.contentDocument.querySelector("svg")) complain("image " + image.data + " did not load");
     }
 
+    for (const anchor of shown.querySelectorAll("main .anchor[id^=eq_]"))
+        if (!anchor.nextElementSibling.textContent.includes("(" + anchor.id.slice(4).replace("_", ".") + ") "))
+            complain(anchor.id + " shows no heading");
+    for (const [section, names] of Object.entries(inCode))
+        for (const name of page.endsWith("_1_1" + section.replace(/_/g, "__") + ".html") ? names : [])
+            if (![...shown.querySelectorAll(".fragment a.code")].some((link) => link.textContent === name)) complain(name + " is no link in its code");
+    if (/^namespace(asprone2010|batra2008)_1_1/.test(page) && shown.querySelector("#contents .here") && shown.querySelectorAll(".turn a").length < 4)
+        complain("previous or next section is missing");
+
     for (const width of [390, ...widths]) {
         frame.width = width;
         if (typesetting) {
@@ -63,15 +73,13 @@ async function look(page, frame) {
         if (/^(https?:)?\/\//.test(asset.getAttribute("src") || asset.getAttribute("href"))) complain("loads from the network: " + (asset.src || asset.href));
     if (page === "index.html") {
         const titles = [...shown.querySelectorAll("#contents li")].map((item) => item.textContent.trim().split(" ")[0]);
-        view.searchBox.OnSearchFieldFocus(true);
-        const field = shown.getElementById("MSearchField");
-        field.value = "second_derivative";
-        view.searchBox.OnSearchFieldChange({ keyCode: 0 });
-        view.searchBox.Search();
-        await pause(3000);
-        const results = [...shown.getElementById("MSearchResults").contentDocument.querySelectorAll(".SRResult")].filter(
-            (result) => result.style.display === "block" && /second_derivative/.test(result.textContent));
-        if (results.length === 0) complain("the search finds no second_derivative");
+        const query = shown.getElementById("query");
+        for (const [word, target] of wanted) {
+            query.value = word;
+            query.dispatchEvent(new view.Event("input"));
+            const found = [...shown.querySelectorAll("#results a")].slice(0, 3).map((link) => link.getAttribute("href"));
+            if (found.length === 0 || !found.some((link) => link.includes(target))) complain("the search for " + word + " does not find " + (target || "anything"));
+        }
         for (const section of [...sections, "5.1"]) if (!titles.includes(section)) complain("the contents miss Section " + section);
     }
 }
@@ -97,5 +105,5 @@ async function look(page, frame) {
     const unique = [...new Set(problems)];
     document.getElementById("report").textContent =
         unique.join("\n") + "\n" + pages.length + " pages, " + formulas + " formulas rendered, " + followed + " links followed, " + images +
-        " images, " + unique.length + " problems";
+        " images, " + wanted.length + " words searched, " + unique.length + " problems";
 })().catch((error) => { document.getElementById("report").textContent = "the check itself failed: " + error.stack; });

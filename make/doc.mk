@@ -22,6 +22,8 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figu
 	    sed -i "s|<div class=\"title\">.*</div></div>|<div class=\"title\">$$title</div></div>|" "$(BUILD)/doc/html/$$page"
 	done
 	if [[ -s $(BUILD)/doc/warnings.log ]]; then cat $(BUILD)/doc/warnings.log >&2; rm -rf $(BUILD)/doc/html; exit 1; fi
+	{ cat $(BUILD)/doc/pages/landmarks.js; (cd $(BUILD)/doc/html; awk -f $(CURDIR)/doc/places.awk *.html); } > $(BUILD)/doc/landmarks.js
+	mv $(BUILD)/doc/landmarks.js $(BUILD)/doc/html
 	for part in MathJax.js extensions/TeX $(mathjax_extensions:%=extensions/%.js) jax/element jax/input/TeX \
 	            jax/output/SVG/jax.js jax/output/SVG/config.js jax/output/SVG/autoload jax/output/SVG/fonts/TeX; do
 	    mkdir -p "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"

@@ -24,7 +24,7 @@ namespace asprone2010 {
 /// \f$-2\omega^2 x\f$. And the eigenvalues of K in \eq{A52} approximate \f$-\omega_n^2\f$. N particles have
 /// N − 2 modes, since two are fixed.
 ///
-/// \image html asprone2010_figure_3.svg "Frequencies over exact frequencies, 100 particles."
+/// \image html asprone2010_figure_3.svg "Frequencies over exact frequencies, 100 particles, and those of linear finite elements (FEM) with consistent and with lumped mass."
 ///
 /// What this section claims, and what was measured: \claims{A-5.3}.
 namespace vibration_test {

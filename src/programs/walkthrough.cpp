@@ -29,6 +29,7 @@ void write_pages(const std::string& folder, const std::vector<Reproduction>& all
     report::write_whole(folder + "/claims.md", report::claims_page(all));
     report::write_whole(folder + "/choices.md", report::choices_page(all));
     report::write_whole(folder + "/tests.md", report::tests_page(all));
+    report::write_whole(folder + "/landmarks.js", report::landmarks(all));
 }
 
 }  // namespace

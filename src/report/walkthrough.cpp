@@ -180,6 +180,24 @@ std::vector<std::string> test_files() {
     return files;
 }
 
+// What headings and search know
+
+std::string quoted(const std::string& text) {
+    return "\"" + replaced(replaced(text, "\\", "\\\\"), "\"", "\\\"") + "\"";
+}
+
+/// An object of JavaScript: a column of the reproductions' tables by another, the key
+std::string object(const std::string& name, const std::vector<Reproduction>& all, Table Reproduction::*of,
+                   const std::string& key, const std::string& column) {
+    std::string text = "const " + name + " = {\n";
+    for (const Reproduction& reproduction : all) {
+        const Table& table = reproduction.*of;
+        for (std::size_t row = 0; row < table.rows.size(); ++row)
+            text += quoted(table.word(row, key)) + ": " + quoted(table.word(row, column)) + ",\n";
+    }
+    return text + "};\n";
+}
+
 // The generated parts of README.md and of doc/reproduction.md
 
 /// A link from doc/ to a file or folder by its path from the top folder.
@@ -247,6 +265,11 @@ std::string tests_page(const std::vector<Reproduction>& all) {
         page += "\n";
     }
     return page;
+}
+
+std::string landmarks(const std::vector<Reproduction>& all) {
+    return object("equations", all, &Reproduction::equations, "equation", "meaning") +
+           object("claims", all, &Reproduction::claims, "id", "claim");
 }
 
 std::string sentence(const std::vector<Reproduction>& all) {

@@ -32,6 +32,10 @@ std::string choices_page(const std::vector<Reproduction>& all);
 /// The names of the test cases of each file below tests/.
 std::string tests_page(const std::vector<Reproduction>& all);
 
+/// What each equation and each claim says, by its key: two objects of JavaScript, for the headings of the
+/// pages and their search.
+std::string landmarks(const std::vector<Reproduction>& all);
+
 /// The verdicts on all papers in one sentence.
 std::string sentence(const std::vector<Reproduction>& all);
 

@@ -85,7 +85,7 @@ TEST_CASE("walkthrough: every equation is indexed, and pages are written for equ
         "true", "--pages pages && grep -c '^| .*anchor index_[AB]' pages/equations.md && ls pages");
     CHECK(code == 0);
     CHECK(errors.empty());
-    CHECK(output == "104\nchoices.md\nclaims.md\nequations.md\ntests.md\n");
+    CHECK(output == "104\nchoices.md\nclaims.md\nequations.md\nlandmarks.js\ntests.md\n");
 }
 
 TEST_CASE("walkthrough: a claim without a verdict is red") {
@@ -129,6 +129,19 @@ TEST_CASE("walkthrough: pages are divided by paper, though sections have equal n
                    {"| Sums |", "[a.csv](../a.csv)", "1 of 1 reproduced", "| Basis |", "1 differs"}));
     for (const char* page : {"equations", "claims", "choices"})
         CHECK(project.read(std::string("pages/") + page + ".md").find("Third") == std::string::npos);
+}
+
+TEST_CASE("walkthrough: headings and search know what each equation and each claim says") {
+    const TwoPapers project;
+    project.write("paper/equations.csv",
+                  "equation,section,meaning,code,test\n"
+                  "A2,2,a sum,first/section_2_sums.hpp,first/sums_test.cpp\n"
+                  "B2.1,2.1,\"a \"\"basis\"\" \\phi\",second/section_2_1_basis.hpp,second/basis_test.cpp\n");
+    CHECK(project.walkthrough().code == 0);
+    CHECK(project.read("pages/landmarks.js") ==
+          "const equations = {\n\"A2\": \"a sum\",\n\"B2.1\": \"a \\\"basis\\\" \\\\phi\",\n};\n"
+          "const claims = {\n\"A-2-sum\": \"(2) is exact and (2.1) a number\",\n"
+          "\"B-2-basis\": \"(2.1) is exact and (2.5) a number\",\n};\n");
 }
 
 TEST_CASE("walkthrough: a number in brackets links to its paper's equation, if there is one") {
