@@ -88,12 +88,13 @@ inline double second_derivative(const Function& B, double DB_i, const CentredKer
     return (projected - DB_i * W_i.moment(1, W_i.W)) / (W_i.moment(2, W_i.W) / 2);
 }
 
-/// Second derivative, with any approximation of the first. \defeq{A20}
+/// Second derivative, with any approximation of the first: its weights D make the term of DB one more weight
+/// on each difference. Whoever knows DB exactly passes zeros and subtracts that term, which then is
+/// \f$DB(x_i)\f$ times a number. \defeq{A20}
 /// \f[ D^2B(x_i) \cong \frac{\sum_j (B(x_j)-B(x_i))\,W_i(x_j)\,\Delta\Omega_j
 ///                           - DB(x_i)\sum_j (x_j-x_i)\,W_i(x_j)\,\Delta\Omega_j}
 ///                          {\frac12\sum_j (x_j-x_i)^2\,W_i(x_j)\,\Delta\Omega_j} \tag{20} \f]
-/// \param D weights of \f$DB(x_i)\f$ on \f$B(x_j) - B(x_i)\f$ [1/h]; zeros give the weights without the term
-///        of DB
+/// \param D weights of \f$DB(x_i)\f$ on \f$B(x_j) - B(x_i)\f$ [1/h]
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h²]
 /// \throws SingularNeighbourhood where the second moment vanishes
 template <class Scalar>

@@ -17,7 +17,7 @@ namespace asprone2010 {
 ///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
-/// | \f$C_i\f$ | `Cubic` | correction polynomial |
+/// | \f$C_i,\ dC_i/ds\f$ | `correction`, `correction_derivative` | correction polynomial |
 /// | \f$a, b, c\f$ | `a, b, c` | its coefficients |
 /// | \f$K_i,\ DK_i\f$ | `K_i.W`, `K_i.DW` | corrected kernel and its derivative |
 /// | \f$e'''_1, e'''_2\f$ | `modified_fpm::first_remainder(…, K_i)` … | the remainders |
@@ -32,33 +32,38 @@ namespace second_order_fpm {
 
 /// The corrected kernel, for the integral forms. \defeq{A39}
 /// \f[ K_i(x) = C_i(x) \cdot W_i(x) \tag{39} \f]
-/// \param C_i the correction polynomial and its derivative as functions of the scaled offset
-template <class Polynomial>
-CentredKernel corrected(const CentredKernel& W_i, const Polynomial& C_i) {
+/// \param C_i the correction polynomial, a function of the scaled offset
+/// \param DC_i its derivative
+template <class Polynomial, class Slope>
+CentredKernel corrected(const CentredKernel& W_i, const Polynomial& C_i, const Slope& DC_i) {
     const auto s = [W_i](double x) { return (x - W_i.x) / W_i.h; };
     CentredKernel K_i = W_i;
     K_i.W = [=](double x) { return C_i(s(x)) * W_i.W(x); };
-    K_i.DW = [=](double x) { return C_i.derivative(s(x)) / W_i.h * W_i.W(x) + C_i(s(x)) * W_i.DW(x); };
+    K_i.DW = [=](double x) { return DC_i(s(x)) / W_i.h * W_i.W(x) + C_i(s(x)) * W_i.DW(x); };
     return K_i;
 }
 
+/// The coefficients of \eq{A40}.
+template <class Scalar>
+struct Coefficients {
+    Scalar a, b, c;
+};
+
 /// The correction polynomial, a cubic of the scaled offset without quadratic term. \defeq{A40}
 /// \f[ C_i(x) = a\Big(\frac{x-x_i}{h}\Big)^3 + b\,\frac{x-x_i}{h} + c \tag{40} \f]
-template <class Scalar>
-struct Cubic {
-    Scalar a, b, c;
+/// \param s scaled offset \f$(x - x_i)/h\f$, a number or a column
+template <class Scalar, class Offset>
+Offset correction(const Coefficients<Scalar>& coefficients, const Offset& s) {
+    const auto& [a, b, c] = coefficients;
+    return c + b * s + a * (s * s * s);
+}
 
-    /// \param s scaled offset \f$(x - x_i)/h\f$, a number or a column
-    template <class Offset>
-    Offset operator()(const Offset& s) const {
-        return c + b * s + a * (s * s * s);
-    }
-    /// \f$dC_i/ds\f$
-    template <class Offset>
-    Offset derivative(const Offset& s) const {
-        return b + 3 * a * (s * s);
-    }
-};
+/// \f$dC_i/ds\f$, the derivative of \eq{A40}.
+template <class Scalar, class Offset>
+Offset correction_derivative(const Coefficients<Scalar>& coefficients, const Offset& s) {
+    const auto& [a, b, c] = coefficients;
+    return b + 3 * a * (s * s);
+}
 
 /// The three moments that determine the coefficients a, b, c: of \f$K_i\f$ they must be 1, 0 and 0.
 /// \defeq{A41}
@@ -75,7 +80,7 @@ inline Eigen::Vector3d imposed_moments(const CentredKernel& K_i) {
 /// \param m moments of \f$W_i\f$ of order 0 to 6, in units of h
 /// \throws SingularNeighbourhood where the particles do not determine a, b and c
 template <class Scalar>
-Cubic<Scalar> correction(const std::array<Scalar, 7>& m) {
+Coefficients<Scalar> coefficients(const std::array<Scalar, 7>& m) {
     const Eigen::Matrix<Scalar, 3, 3> M{{m[0], m[1], m[3]}, {m[1], m[2], m[4]}, {m[3], m[4], m[6]}};
     const Eigen::Matrix<Scalar, 3, 1> cba = inverse(M).col(0);
     return {cba[2], cba[1], cba[0]};
@@ -85,18 +90,25 @@ Cubic<Scalar> correction(const std::array<Scalar, 7>& m) {
 inline CentredKernel corrected(const CentredKernel& W_i) {
     std::array<double, 7> m{};
     for (int k = 0; k <= 6; ++k) m[static_cast<std::size_t>(k)] = W_i.moment(k, W_i.W) / std::pow(W_i.h, k);
-    return corrected(W_i, correction(m));
+    const Coefficients<double> abc = coefficients(m);
+    return corrected(
+        W_i, [abc](double s) { return correction(abc, s); },
+        [abc](double s) { return correction_derivative(abc, s); });
 }
 
-/// The corrected kernel at the particles, the conditions imposed on the sums. \defeq{A42}
+/// The corrected kernel at the particles, the conditions imposed on the sums.
+///
+/// The neighbourhood's own sums give a, b and c, which give \f$C_i\f$ and its derivative at each particle. K
+/// takes the place of W, and DK by the product rule that of DW: what returns is a neighbourhood like any
+/// other. \defeq{A42}
 /// \f[ \sum_j K_i(x_j)\,\Delta\Omega_j = 1, \qquad \sum_j (x_j-x_i)\,K_i(x_j)\,\Delta\Omega_j = 0, \qquad
 ///     \sum_j (x_j-x_i)^3\,K_i(x_j)\,\Delta\Omega_j = 0 \tag{42} \f]
 /// \throws SingularNeighbourhood where the particles do not determine a, b and c
 template <class Scalar>
 Neighbourhood<Scalar> corrected(const Neighbourhood<Scalar>& near) {
     const auto& [r, W, DW, V] = near;
-    const Cubic<Scalar> cubic = correction(rkpm::moments<6>(near));
-    const Column<Scalar> C = cubic(r), DC = cubic.derivative(r);
+    const Coefficients<Scalar> abc = coefficients(rkpm::moments<6>(near));
+    const Column<Scalar> C = correction(abc, r), DC = correction_derivative(abc, r);
     return {r, C * W, DC * W + C * DW, V};
 }
 

@@ -46,9 +46,17 @@ Smooth<Scalar> exponential_load() {
 
 /// Equilibrium at the inner particles, between one row for each end. \defeq{A45}
 /// \f[ -u'' = f \tag{45} \f]
-/// \param D2 second derivative at N particles [1/length²]; its memory becomes the system's
+/// The matrix has one row for each particle, and right_hand_side() the number that belongs to it:
+///
+/// | row | of the matrix | on the right |
+/// | --- | --- | --- |
+/// | 1 | of the identity: \f$u(x_1)\f$ | displacement of the first particle |
+/// | i = 2 … N − 1 | of −D²: \f$-D^2u(x_i)\f$ | load \f$f(x_i)\f$ |
+/// | N | of D: \f$Du(x_N)\f$ | derivative at the last particle |
+///
+/// \param D2 second derivative at N particles [1/length²]. The caller moves it in: the system takes over its
+///        memory, and D² is not stored twice
 /// \param D first derivative, of which the last row is taken [1/length]
-/// \return the system's matrix, by rows: \f$u(x_1)\f$, \f$-D^2u(x_i)\f$ for i = 2 … N − 1, \f$Du(x_N)\f$
 template <class Scalar>
 Operator<Scalar> system(Operator<Scalar>&& D2, const Operator<Scalar>& D) {
     const Operator<Scalar> u = particles::identity<Scalar>(D2.rows());
