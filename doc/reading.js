@@ -72,7 +72,7 @@ function nameFigures() {
 // signature's width is of use.
 function trimCode() {
     const scope = [...document.querySelectorAll(".navpath .navelem")].map((part) => part.textContent.trim()).join("::") + "::";
-    for (const name of document.querySelectorAll("td.memname"))
+    for (const name of document.querySelectorAll("td.memname, h2.memtitle"))
         for (const node of name.childNodes)
             if (node.nodeType === Node.TEXT_NODE) node.textContent = node.textContent.replace(scope, "");
     for (const first of document.querySelectorAll(".memdoc > .fragment > .line:first-child")) {
@@ -105,7 +105,7 @@ function turnPages() {
 }
 
 // Names in code that Doxygen leaves without a link: functions and types of this page, of the scope before the name, or with a name
-// that stands in one place only.
+// that stands in one place only. A parameter or a local name is none of these.
 function linkNames() {
     const byName = new Map();
     for (const [file, anchor, text] of places) {
@@ -124,6 +124,8 @@ function linkNames() {
     for (const code of document.querySelectorAll(".memdoc > .fragment")) {
         const own = new Set([...code.parentElement.parentElement.querySelectorAll("td.paramname em")].map((name) => name.textContent));
         for (const [, name] of code.textContent.matchAll(/\b(?:auto&?|bool|int|double|Index|Scalar) (\w+)/g)) own.add(name);
+        for (const link of code.querySelectorAll("a.code"))
+            if (own.has(link.textContent) && !/[.:>]$/.test(link.previousSibling?.textContent || "")) link.replaceWith(link.textContent);
         for (const line of code.querySelectorAll(".line"))
             for (const node of [...line.childNodes].filter((child) => child.nodeType === Node.TEXT_NODE)) {
                 const before = node.previousSibling ? node.previousSibling.textContent : "";

@@ -14,10 +14,11 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figu
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
 	mkdir $(BUILD)/doc/figures
 	for figure in $(figures:figures/%=%); do cp "figures/$$figure" "$(BUILD)/doc/figures/$${figure/\//_}"; done
-	BUILD=$(BUILD) doxygen doc/Doxyfile
+	BUILD=$(BUILD) SECTIONS='$(wildcard src/*/section_*.hpp)' doxygen doc/Doxyfile
 	rm -f $(BUILD)/doc/html/*-members.html
 	sed -i -E -e 's@ (Namespace|Struct|Class|Struct Template|Class Template) Reference</div>@</div>@' \
-	    -e 's@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' $(BUILD)/doc/html/*.html
+	    -e 's@<h2 class="groupheader">(Detailed Description|Function Documentation)</h2>@@' \
+	    -e '/^<div class="ttc"/d' $(BUILD)/doc/html/*.html
 	sed -n 's|.*relpath^\(namespace[^"]*\)">\(.*\)</a>.*|\1 \2|p' doc/header.html | while read -r page title; do
 	    sed -i "s|<div class=\"title\">.*</div></div>|<div class=\"title\">$$title</div></div>|" "$(BUILD)/doc/html/$$page"
 	done
