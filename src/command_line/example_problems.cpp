@@ -118,6 +118,14 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
     add_plot_option(app, options.figure);
 }
 
+void check_apart_from_outputs(const ExampleOptions& options, const std::string& option,
+                              const std::string& file) {
+    check_apart({{option, file},
+                 {"--output", options.output},
+                 {"--field", options.field},
+                 {"--plot", options.figure.path}});
+}
+
 void check_cloud(double particles, double neighbours) {
     // Two rows per particle, with two entries for each neighbour. Stored by rows, by columns, and in the
     // factors.
@@ -125,12 +133,6 @@ void check_cloud(double particles, double neighbours) {
     base::require_memory_of_entries(base::shown(particles, 12) + " particles", entries,
                                     3 * entries * (sizeof(double) + sizeof(int)),
                                     "take fewer particles or a smaller --scaling");
-}
-
-void check_states(double places) {
-    const auto columns = static_cast<double>(case_columns().size() + state_columns({}).size());
-    base::require_memory(base::shown(places, 12) + " places of --states", places * columns * sizeof(Cell),
-                         "take fewer");
 }
 
 std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
@@ -143,10 +145,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
     const auto plane = elastostatics::plane_named(options.plane);
     const particles::Spacing smoothing_from = spacing_from(options.smoothing_from);
     if (smoothing_from.kind == particles::Spacing::given)
-        check_apart({{"--output", options.output},
-                     {"--field", options.field},
-                     {"--plot", options.figure.path},
-                     {"--smoothing-from", named_file(options.smoothing_from).path}});
+        check_apart_from_outputs(options, "--smoothing-from", named_file(options.smoothing_from).path);
     double count = 1;
     for (const std::size_t choices :
          {methods.size(), options.poisson.size(), options.degree.size(), options.scaling.size(),
@@ -218,6 +217,22 @@ std::vector<Point<2>> places_at(const Points<2>& x) {
     std::vector<Point<2>> places;
     for (Index I = 0; I < x.cols(); ++I) places.emplace_back(x.col(I));
     return places;
+}
+
+std::vector<Point<2>> places_between(const Point<2>& from, const Point<2>& to, long count) {
+    std::vector<Point<2>> places;
+    for (long k = 0; k < count; ++k)
+        places.emplace_back(from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1));
+    return places;
+}
+
+std::array<long, 2> grid_of_places(const std::string& states) {
+    const std::array<long, 2> counts = pair_of("--states", states);
+    const double places = static_cast<double>(counts[0]) * static_cast<double>(counts[1]);
+    const auto columns = static_cast<double>(case_columns().size() + state_columns({}).size());
+    base::require_memory(base::shown(places, 12) + " places of --states", places * columns * sizeof(Cell),
+                         "take fewer");
+    return counts;
 }
 
 FieldFile::FieldFile(std::string path, const std::vector<ExampleCase>& cases) : path_(std::move(path)) {
@@ -321,6 +336,8 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
     std::vector<Cell> named = case_cells(one);
     named[1] = static_cast<long>(cloud.size());
     named.insert(named.end(), layout.begin(), layout.end());
+    std::vector<Point<2>> at;
+    if (!options_.states.empty()) at = options_.states == "particles" ? places_at(cloud.x()) : places();
     sweep_.attempt(named, [&] {
         check_lengths(one.how.smoothing_from, options_.smoothing_from, cloud.size());
         Cost cost;
@@ -328,7 +345,7 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
         const Solved found{problem, cloud, solution};
         Rows rows{named};
         if (!options_.states.empty()) {
-            rows = state_rows(named, found, places(cloud));
+            rows = state_rows(named, found, at);
         } else {
             for (const Cell& cell : errors(found)) rows[0].push_back(cell);
             if (options_.seconds)

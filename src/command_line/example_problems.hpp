@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,11 +31,13 @@ struct ExampleOptions {
 /// \param places what `--states` takes beside particles and a grid
 void add_options(CommandLine& app, ExampleOptions& options, const std::string& places);
 
-/// Refuses particles whose matrices, and places whose rows, do not fit into memory. \throws
-/// base::InvalidInput
+/// Refuses an option that names the same file as one of the outputs. \throws base::InvalidInput
+void check_apart_from_outputs(const ExampleOptions& options, const std::string& option,
+                              const std::string& file);
+
+/// Refuses particles whose matrices do not fit into memory. \throws base::InvalidInput
 /// \param neighbours least number of a particle's neighbours within the support of the basis
 void check_cloud(double particles, double neighbours);
-void check_states(double places);
 
 /// One thing to solve: a method with its parameters, and a material.
 struct ExampleCase {
@@ -68,6 +71,14 @@ std::vector<report::ColumnHead> state_columns(const std::vector<ExampleCase>& ca
 /// The places that a set of positions holds.
 std::vector<batra2008::Point<2>> places_at(const batra2008::Points<2>& x);
 
+/// Places at equal distances on a line, its ends among them.
+std::vector<batra2008::Point<2>> places_between(const batra2008::Point<2>& from,
+                                                const batra2008::Point<2>& to, long count);
+
+/// The two counts of a grid that `--states` names, such as 46x10.
+/// \throws base::InvalidInput for another text, and for more places than fit into memory
+std::array<long, 2> grid_of_places(const std::string& states);
+
 /// `--field`: displacements and stresses at the particles, computed and exact. The file's name decides the
 /// format: .vtk for ParaView (legacy unstructured grid, a vertex for each particle), else CSV. It is written
 /// once all solutions are known.
@@ -93,7 +104,7 @@ class FieldFile {
 /// place.
 class ExampleTable {
   public:
-    using Places = std::function<std::vector<batra2008::Point<2>>(const batra2008::Cloud<2>&)>;
+    using Places = std::function<std::vector<batra2008::Point<2>>()>;
     using Errors = std::function<std::vector<report::Cell>(const Solved&)>;
 
     /// \param about first comment of the table \param layout columns that name the particles \param errors
@@ -107,8 +118,8 @@ class ExampleTable {
 
     /// Solves a problem on a cloud, and adds its rows; where that fails, one row with the reason, as Sweep
     /// says.
-    /// \param layout cells of the columns that name the particles \param places those of `--states`
-    /// \param errors cells of the columns of the errors
+    /// \param layout cells of the columns that name the particles \param places those of `--states` other
+    ///         than the particles \param errors cells of the columns of the errors
     void add(const ExampleCase& one, const batra2008::Problem& problem, const batra2008::Cloud<2>& cloud,
              const std::vector<report::Cell>& layout, const Places& places, const Errors& errors);
 

@@ -1,11 +1,12 @@
+#include "batra2008/section_4_1_plate.hpp"
+
 #include <algorithm>
 #include <array>
-#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "batra2008/section_4_1_plate.hpp"
 #include "command_line/example_problems.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
@@ -56,72 +57,62 @@ std::vector<plate::Corners> choices_of(const std::array<std::string, 4>& corners
 
 /// \throws base::InvalidInput unless each method has one error for each grid, or one for each scaling factor
 void check_drawable(const Options& options, const std::vector<ExampleCase>& cases, std::size_t choices) {
-    std::map<std::pair<Method, double>, std::size_t> rows;
-    for (const auto& [how, material] : cases)
-        rows[{how.method, how.scaling}] += options.grids.size() * choices;
-    const bool scaled = options.scaling.size() > 1;
-    const bool one_curve = std::all_of(rows.begin(), rows.end(), [&](const auto& method_and_scaling) {
-        return method_and_scaling.second == (scaled ? 1 : options.grids.size());
-    });
-    const bool one_scaling = scaled && rows.begin()->first.second == std::prev(rows.end())->first.second;
-    if (!options.states.empty() || !one_curve || one_scaling)
+    std::set<std::pair<Method, double>> curves;
+    for (const auto& [how, material] : cases) curves.insert({how.method, how.scaling});
+    if (!options.states.empty() || curves.size() < cases.size() || choices > 1 ||
+        std::min(options.scaling.size(), options.grids.size()) > 1)
         throw base::InvalidInput(
             "--plot draws errors: against several --particles (as Figure 12) or against several --scaling (as Figure 9), all else being one value, without --states");
 }
 
-/// Refuses a grid that does not fit into memory: the basis sees the particles within ρ times their distance.
-void check_grid(long nx, long ny, double rho) {
-    if (nx < 2 || ny < 2) return;  // plate::grid() says so
-    const auto columns = static_cast<double>(nx), rows = static_cast<double>(ny);
-    const double dx = plate::L1 / (columns - 1), dy = plate::L2 / (rows - 1), reach = rho * std::min(dx, dy);
-    command_line::check_cloud(columns * rows, std::max(1.0, reach / dx) * std::max(1.0, reach / dy));
+/// The grids of `--particles`. Their matrices must fit into memory: the basis sees the particles within ρ
+/// times their distance.
+std::vector<std::array<long, 2>> grids_of(const Options& options) {
+    const double rho = *std::max_element(options.scaling.begin(), options.scaling.end());
+    std::vector<std::array<long, 2>> grids;
+    for (const std::string& grid : options.grids) {
+        grids.push_back(command_line::pair_of("--particles", grid));
+        const auto [nx, ny] = grids.back();
+        if (nx > 1 && ny > 1) {
+            const auto columns = static_cast<double>(nx), rows = static_cast<double>(ny);
+            const double dx = plate::L1 / (columns - 1), dy = plate::L2 / (rows - 1),
+                         reach = rho * std::min(dx, dy);
+            command_line::check_cloud(columns * rows, std::max(1.0, reach / dx) * std::max(1.0, reach / dy));
+        }
+        static_cast<void>(plate::grid(nx, ny));
+    }
+    return grids;
 }
 
-/// The places of `--states`.
-std::vector<Point<2>> places(const Options& options, const Cloud<2>& cloud) {
-    const std::string& where = options.states;
-    if (where == "particles") return command_line::places_at(cloud.x());
-    if (where == "bottom" || where == "top") {
-        std::vector<Point<2>> line;
-        for (long k = 0; k < options.points; ++k)
-            line.emplace_back(plate::L1 * static_cast<double>(k) / static_cast<double>(options.points - 1),
-                              where == "top" ? plate::L2 : 0);
-        return line;
-    }
-    const auto [nx, ny] = command_line::pair_of("--states", where);
-    command_line::check_states(static_cast<double>(nx) * static_cast<double>(ny));
+/// The places of `--states` other than the particles.
+std::vector<Point<2>> places(const Options& options) {
+    using plate::L1, plate::L2;
+    if (options.states == "bottom") return command_line::places_between({0, 0}, {L1, 0}, options.points);
+    if (options.states == "top") return command_line::places_between({0, L2}, {L1, L2}, options.points);
+    const auto [nx, ny] = command_line::grid_of_places(options.states);
     return command_line::places_at(plate::grid(nx, ny));
 }
 
-/// Solves a case on one grid and adds its rows. The weak forms impose nothing at corners.
-void add(command_line::ExampleTable& table, const Options& options, const ExampleCase& one,
-         const std::string& grid, const plate::Corners& corners) {
-    const auto [nx, ny] = command_line::pair_of("--particles", grid);
-    check_grid(nx, ny, one.how.scaling);
-    std::vector<Cell> layout{nx, ny};
-    for (const auto& [first, second] : corners) {
-        layout.emplace_back();
-        if (one.how.method == Method::strong) layout.back() = first + " " + second;
-    }
-    const auto errors = [nx = nx, ny = ny](const command_line::Solved& solved) -> std::vector<Cell> {
-        const auto& [problem, cloud, solution] = solved;
-        const auto [dn, nd] = example_problems::errors(plate::mesh(nx, ny), cloud, solution, problem);
-        return {dn, nd, plate::largest_error_u2(cloud, solution, problem)};
-    };
-    table.add(
-        one, plate::problem(one.material, corners), Cloud<2>(plate::grid(nx, ny)), layout,
-        [&](const Cloud<2>& cloud) { return places(options, cloud); }, errors);
+/// Cells that name a grid and, for collocation, the conditions at the corners; the weak forms impose none.
+std::vector<Cell> named(long nx, long ny, Method method, const plate::Corners& corners) {
+    std::vector<Cell> cells{nx, ny};
+    for (const auto& [first, second] : corners)
+        cells.push_back(method == Method::strong ? Cell(first + " " + second) : Cell());
+    return cells;
+}
+
+/// Errors of a solution as the columns below name them.
+std::vector<Cell> errors(const command_line::Solved& solved, long nx, long ny) {
+    const auto& [problem, cloud, solution] = solved;
+    const auto [dn, nd] = example_problems::errors(plate::mesh(nx, ny), cloud, solution, problem);
+    return {dn, nd, plate::largest_error_u2(cloud, solution, problem)};
 }
 
 report::Table table_of(const Options& options) {
     const auto cases = command_line::cases(options, plate::E, plate::penalty);
     const std::vector<plate::Corners> choices = choices_of(options.corners);
     if (!options.figure.path.empty()) check_drawable(options, cases, choices.size());
-    for (const std::string& grid : options.grids) {  // before any is solved
-        const auto [nx, ny] = command_line::pair_of("--particles", grid);
-        check_grid(nx, ny, *std::min_element(options.scaling.begin(), options.scaling.end()));
-        static_cast<void>(plate::grid(nx, ny));
-    }
+    const auto grids = grids_of(options);
     command_line::ExampleTable table(
         options, cases,
         "Batra and Zhang (2008), Section 4.1: a plate under shear; lengths in m, stresses in Pa",
@@ -129,13 +120,18 @@ report::Table table_of(const Options& options) {
         {{"log_error_dn", {1e-5, 1e-5}},
          {"log_error_nd", {1e-5, 1e-5}},
          {"max_error_u2_percent", {1e-5, 1e-6}}});
-    command_line::Progress progress(cases.size() * options.grids.size() * choices.size());
+    command_line::Progress progress(cases.size() * grids.size() * choices.size());
     for (const ExampleCase& one : cases)
-        for (const std::string& grid : options.grids)
+        for (const auto& [nx, ny] : grids)
             for (const plate::Corners& corners : choices) {
                 progress.step();
-                if (one.how.method == Method::strong || &corners == &choices.front())
-                    add(table, options, one, grid, corners);
+                if (one.how.method != Method::strong && &corners != &choices.front()) continue;
+                table.add(
+                    one, plate::problem(one.material, corners), Cloud<2>(plate::grid(nx, ny)),
+                    named(nx, ny, one.how.method, corners), [&] { return places(options); },
+                    [nx = nx, ny = ny](const command_line::Solved& solved) {
+                        return errors(solved, nx, ny);
+                    });
             }
     return table.finished();
 }

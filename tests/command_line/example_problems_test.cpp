@@ -82,6 +82,14 @@ TEST_CASE("example_problems: stresses near the incompressible are compared by wh
         CHECK(tolerance(0.499999, column) == support::relative(33333.5, 1e-5));
 }
 
+TEST_CASE("example_problems: places on a line lie at equal distances, its ends among them") {
+    const auto places = places_between({0, 0.3}, {0, 3}, 4);
+    REQUIRE(places.size() == 4);
+    CHECK(places[0][1] == 0.3);
+    CHECK(places[1][1] == support::relative(1.2, 1e-15));
+    CHECK(places[3][1] == 3);
+}
+
 TEST_CASE("example_problems: --seconds says what a solution took") {
     const auto table = report::parsed(run("plate --method strong --seconds").output);
     for (const char* name : {"seconds_assembly", "seconds_solution", "megabytes"})
