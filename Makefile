@@ -54,6 +54,7 @@ claim_objects := $(filter-out $(tool_objects),$(call objects_in,\
                    $(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)) src/report/%))
 method_objects := $(filter-out $(claim_objects),\
                     $(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
+cli := $(BUILD)/src/command_line/command_line.o
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
@@ -102,7 +103,7 @@ endif
 ifeq (,$(findstring clang,$(CXX)))
 libraries := $(BUILD)/src/libraries.hpp.gch $(BUILD)/tests/libraries.hpp.gch
 with_eigen := $(papers) solvers particles expressions command_line programs
-$(call objects_in,$(with_eigen:%=src/%/%)): $(BUILD)/src/libraries.hpp.gch
+$(filter-out $(cli),$(call objects_in,$(with_eigen:%=src/%/%))): $(BUILD)/src/libraries.hpp.gch
 $(call objects_in,$(with_eigen:%=tests/%/%)): $(BUILD)/tests/libraries.hpp.gch
 $(libraries): make/libraries.hpp $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -117,10 +118,10 @@ $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	$(CXX) $(CXXFLAGS) $(CPPFLAGS) $(patsubst %.gch,-include %,$(filter $(libraries),$^)) \
 	    -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
 	mv $@.tmp.o $@
-# Tests compile a sixth faster at -O1, and run as long. --plot finds the figures' scripts in the folder of the source.
-$(tests) $(BUILD)/tests/libraries.hpp.gch: private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
-$(BUILD)/src/command_line/command_line.o: CITATION.cff
-$(BUILD)/src/command_line/command_line.o: private CPPFLAGS += -DVERSION='"$(version)"'
+# Tests compile a sixth faster at -O1, and run as long; CLI11, a third. --plot finds the figures' scripts in the folder of the source.
+$(tests) $(BUILD)/tests/libraries.hpp.gch $(cli): private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
+$(cli): CITATION.cff
+$(cli): private CPPFLAGS += -DVERSION='"$(version)"'
 $(BUILD)/src/command_line/plot.o: private CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 
 $(methods): $(method_objects)
