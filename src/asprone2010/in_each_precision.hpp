@@ -6,6 +6,7 @@
 
 /// The functions that are compiled once for each scalar type. TEMPLATE is `template` where they are compiled,
 /// and `extern template` where they are declared.
+// Types cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
 #define ASPRONE2010_IN_PRECISION(TEMPLATE, Scalar)                                                        \
     namespace asprone2010 {                                                                               \
     TEMPLATE const std::vector<Formulation<Scalar>>& formulations();                                      \
@@ -21,3 +22,4 @@
     TEMPLATE limit_stencils::Stencil<Scalar> limit_stencils::near_end(                                    \
         const Formulation<Scalar>&, const numerical_tests::Discretisation&, Index, int, const Scalar&);   \
     }
+// NOLINTEND(bugprone-macro-parentheses)

@@ -102,10 +102,10 @@ Column<double> spacing(const Particles<double>& discrete) {
 }
 
 Row worst(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
-    const auto& [line, smoothing] = discrete;
-    const auto [D, D2] = formulation.operators(line, smoothing);
+    const Line<double>& line = discrete.line;
+    const auto [D, D2] = formulation.operators(line, discrete.smoothing);
     const Column<double> delta = spacing(discrete);
-    const double ratio = smoothing.h() / delta.maxCoeff();
+    const double ratio = discrete.smoothing.h() / delta.maxCoeff();
     const auto [first, second] = rows(line.size());
     Row found;
     const auto look = [&](const Operator<double>& derivative, int k, int exact,

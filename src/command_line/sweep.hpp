@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/errors.hpp"
@@ -57,10 +56,10 @@ class Sweep {
     /// Adds the rows that `compute` returns for a case; where it fails, the row of a case that failed.
     /// \param cells that name the case
     template <class Compute>
-    void attempt(std::vector<report::Cell> cells, const Compute& compute) {
+    void attempt(const std::vector<report::Cell>& cells, const Compute& compute) {
         std::vector<std::vector<report::Cell>> rows;
         if (const auto failure = failure_of([&] { rows = compute(); }))
-            add_failed(std::move(cells), *failure);
+            add_failed(cells, *failure);
         else
             add(rows);
     }

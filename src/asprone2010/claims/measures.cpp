@@ -49,6 +49,7 @@ double largest(const std::vector<double>& places, const std::function<double(dou
 double order_in_h(double place, const std::function<double(const CentredKernel&)>& error) {
     const std::vector<double> h{0.01, 0.005, 0.0025};
     std::vector<double> size;
+    size.reserve(h.size());
     for (const double length : h)
         size.push_back(std::abs(error(particles::centred(Gaussian{}, place, length, {0, 1}))));
     return report::observed_order(h, size);

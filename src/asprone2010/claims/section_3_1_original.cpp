@@ -10,7 +10,7 @@ namespace asprone2010::claims {
 
 namespace {
 
-double one(double) {
+double one(double /*x*/) {
     return 1;
 }
 

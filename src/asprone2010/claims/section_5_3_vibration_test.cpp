@@ -18,6 +18,7 @@ using vibration_test::exact_frequency;
 /// Frequencies over the exact ones, mode by mode.
 std::vector<double> normalised(const std::vector<std::complex<double>>& frequencies) {
     std::vector<double> ratio;
+    ratio.reserve(frequencies.size());
     for (const auto& omega : frequencies)
         ratio.push_back(omega.real() / exact_frequency(static_cast<Index>(ratio.size()) + 1));
     return ratio;
