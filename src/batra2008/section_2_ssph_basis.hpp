@@ -465,7 +465,7 @@ particles::Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>
     particles::Derivatives<Scalar, dim> all{particles::Offsets<Scalar, dim>(count, dim),
                                             {count, particles::second_derivatives<dim>}};
     for (int k = 0; k < dim; ++k) all.first.col(k) = basis.row(2 + k);
-    for (int k = 0; k < particles::second_derivatives<dim>; ++k)
+    for (Index k = 0; k < particles::second_derivatives<dim>; ++k)
         all.second.col(k) = factorial<dim>(monomials<dim, 2>()[static_cast<std::size_t>(1 + dim + k)]) *
                             basis.row(2 + dim + k);
     return all;

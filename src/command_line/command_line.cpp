@@ -142,7 +142,8 @@ namespace {
 
 /// What CLI11 found wrong, in words that say what to do.
 std::string in_words(const CLI::ParseError& error, const CLI::App& app) {
-    const std::string what = error.what(), name = what.substr(0, what.find_first_of(": "));
+    std::string what = error.what();
+    const std::string name = what.substr(0, what.find_first_of(": "));
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
         const std::string first = app.remaining().front();
         return first.starts_with('-') ? "there is no option '" + first + "'"

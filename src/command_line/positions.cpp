@@ -1,8 +1,10 @@
 #include "command_line/positions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -109,7 +111,8 @@ Points<2> read_points(const std::string& path, const std::vector<std::string>& c
     std::vector<std::size_t> places;
     if (!columns.empty() && columns.size() != 2)
         throw InvalidInput("--columns: a layout has two columns, x,y, not " + std::to_string(columns.size()));
-    for (const std::string& column : columns) places.push_back(file.place_of(column));
+    std::transform(columns.begin(), columns.end(), std::back_inserter(places),
+                   [&](const std::string& column) { return file.place_of(column); });
     for (const auto& [name, other] : {std::pair{"x1", "x2"}, std::pair{"x", "y"}})
         if (const auto named = file.place_named(name), named_other = file.place_named(other);
             places.empty() && named && named_other)
@@ -178,11 +181,11 @@ std::optional<double> length_in(std::string_view text) {
 
 particles::Spacing spacing_from(const std::string& text) {
     const std::string_view word = base::trimmed(text);
-    const auto [path, column] = named_file(text);
     try {
         if (const auto length = length_in(word)) return particles::Spacing(*length);
         return particles::spacing_named(word);
     } catch (const InvalidInput& neither) {
+        const auto [path, column] = named_file(text);
         if (is_file(path) || path.find('/') != std::string::npos ||
             (path.find('.') != std::string::npos && starts_with_name(path)))
             return particles::Spacing(lengths_in(path, column));

@@ -81,6 +81,7 @@ class Astray {
         while ((near = cloud_.within(x, reach *= 1.5)).size() < wanted) {
         }
         std::vector<double> apart;
+        apart.reserve(near.size());
         for (const int k : near) apart.push_back(cloud_.apart()[k]);
         const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
         std::nth_element(apart.begin(), middle, apart.end());

@@ -98,23 +98,24 @@ TEST_CASE(
         particles::Volumes volumes;
     };
     using enum particles::Volumes;
-    for (const auto& [ratio, gap, volumes] :
+    for (const Zero& zero :
          {Zero{1, 0.0347, partition}, Zero{1.2, 0.0071, equal}, Zero{1.2, 0.1068, partition},
           Zero{1.5, 0.0334, equal}, Zero{1.5, 0.2189, partition}, Zero{2, 0.0981, equal},
           Zero{2, 0.3711, partition}, Zero{2.5, 0.1774, equal}, Zero{2.5, 0.5050, partition},
           Zero{3, 0.2685, equal}, Zero{3, 0.6314, partition}}) {
-        CAPTURE(ratio);
-        CAPTURE(gap);
-        const auto second = [&, ratio = ratio, volumes = volumes](double t) {
+        CAPTURE(zero.ratio);
+        CAPTURE(zero.gap);
+        const auto second = [&](double t) {
             Column<double> x = Column<double>::LinSpaced(40, t - 1, t + 38);
             x[0] = 0;
-            return particles::neighbourhood(particles::line_at(x, volumes),
-                                            particles::Smoothing<double>(particles::Gaussian{}, ratio), 1);
+            return particles::neighbourhood(particles::line_at(x, zero.volumes),
+                                            particles::Smoothing<double>(particles::Gaussian{}, zero.ratio),
+                                            1);
         };
         const auto A12 = [&](double t) { return modified_fpm::matrix(corrected(second(t)))(0, 1); };
-        CHECK(A12(gap - 1e-4) < 0);
-        CHECK(A12(gap + 1e-4) > 0);
-        CHECK(reciprocal_condition(conditions(second(gap), {3, 1, 0})) > 1e-3);
+        CHECK(A12(zero.gap - 1e-4) < 0);
+        CHECK(A12(zero.gap + 1e-4) > 0);
+        CHECK(reciprocal_condition(conditions(second(zero.gap), {3, 1, 0})) > 1e-3);
     }
 }
 
