@@ -52,14 +52,24 @@ bool has_decimal_comma(std::string_view text) {
            digits(text.substr(comma + 1));
 }
 
+/// What stands between the quotes of a text, if it has any.
+std::string_view unquoted(std::string_view text) {
+    const bool quotes = text.size() > 1 && text.front() == '"' && text.back() == '"';
+    return quotes ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+bool is_number(std::string_view text) {
+    double number = 0;
+    return !text.empty() &&
+           std::from_chars(text.data(), text.data() + text.size(), number).ptr == text.data() + text.size();
+}
+
 }  // namespace
 
 bool starts_with_name(std::string_view line) {
-    const std::string_view word = line.substr(0, line.find_first_of(",; \t"));
-    double number = 0;
-    if (word.empty() ||
-        std::from_chars(word.data(), word.data() + word.size(), number).ptr == word.data() + word.size())
-        return false;
+    const std::size_t first = std::min(line.find_first_not_of(",; \t"), line.size());
+    const std::string_view rest = line.substr(first), word = rest.substr(0, rest.find_first_of(",; \t"));
+    if (word.empty() || is_number(unquoted(word))) return false;
     const auto letter = static_cast<unsigned char>(word.front());
     return std::isalpha(letter) != 0 || letter == '_' || letter == '"';
 }
@@ -76,25 +86,31 @@ Columns::Columns(std::string option, std::string path)
     check_encoding();
     std::string_view text = text_;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark of some editors
+    const char end_of_line = text.find('\n') == std::string_view::npos ? '\r' : '\n';
     for (long number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::size_t end = std::min(text.find(end_of_line), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         const Row row{number, trimmed(line.substr(0, line.find('#')))};
         if (row.text.empty()) continue;
         if (header_.empty() && rows_.empty() && starts_with_name(row.text)) {
             header_ = row.text;
+            header_line_ = number;
             continue;
         }
         check_separators(row);
         rows_.push_back(row);
     }
+    check_header();
 }
 
 void Columns::check_encoding() const {
     const std::string_view begin = std::string_view(text_).substr(0, 64);
     std::array<std::size_t, 2> zeros{};  // at even and at odd places
     for (std::size_t k = 0; k < begin.size(); ++k) zeros[k % 2] += begin[k] == '\0' ? 1 : 0;
+    if (begin.starts_with(std::string_view("\xFF\xFE\0\0", 4)) ||
+        begin.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
+        refuse(" is UTF-32; convert it, iconv -f UTF-32 -t UTF-8 " + path_);
     const bool marked = begin.starts_with("\xFF\xFE") || begin.starts_with("\xFE\xFF"),
                big = zeros[1] == 0 && zeros[0] == (begin.size() + 1) / 2,
                little = zeros[0] == 0 && zeros[1] == begin.size() / 2;
@@ -115,17 +131,35 @@ void Columns::check_separators(const Row& row) const {
         refuse(row, row.text,
                "has decimal commas and semicolons; write points and commas, sed 's/,/./g; s/;/,/g' " + path_);
     if (semicolons) refuse(row, row.text, "has semicolons; write commas, sed 's/;/,/g' " + path_);
-    if (commas) refuse(row, row.text, "has decimal commas; write points, sed 's/,/./g' " + path_);
+    if (!commas) return;
+    const bool between = row.text.find(", ") != std::string_view::npos;
+    refuse(row, row.text,
+           "has decimal commas; write points, sed '" + std::string(between ? "s/, / /g; " : "") +
+               "s/,/./g' " + path_);
+}
+
+void Columns::check_header() {
+    if (header_.empty() || rows_.empty()) return;
+    const std::vector<std::string_view> all = names();
+    const std::size_t count = rows_.front().entries().size();
+    if (all.size() == count &&
+        std::any_of(all.begin(), all.end(), [](std::string_view name) { return is_number(unquoted(name)); }))
+        refuse({header_line_, header_}, header_,
+               "has a name and a number; mend it, or put # before it if it is a comment");
+    numbered_ = all.size() + 1 == count && counts_rows(0);
 }
 
 std::vector<std::string_view> Columns::names() const {
-    return header_.empty() ? std::vector<std::string_view>() : Row{0, header_}.entries();
+    if (header_.empty()) return {};
+    std::vector<std::string_view> all = Row{header_line_, header_}.entries();
+    if (numbered_) all.insert(all.begin(), "");
+    return all;
 }
 
 std::optional<std::size_t> Columns::place_named(std::string_view name) const {
     const std::vector<std::string_view> all = names();
     for (std::size_t place = 0; place < all.size(); ++place)
-        if (all[place] == name || all[place] == "\"" + std::string(name) + "\"") return place;
+        if (unquoted(all[place]) == name) return place;
     return {};
 }
 
@@ -143,10 +177,11 @@ double Columns::number(const Row& row, std::size_t place) const {
     const std::vector<std::string_view> all = row.entries();
     if (place >= all.size()) refuse(row, row.text, "has no column " + std::to_string(place + 1));
     try {
-        return base::number(all[place]);
+        return base::number(unquoted(all[place]));
     } catch (const InvalidInput& error) {
         throw InvalidInput(option_ + ": " + path_ + ", line " + std::to_string(row.line) + ": " +
-                           error.what());
+                           error.what() +
+                           (row.text.find_first_of("%!/") == 0 ? "; a comment begins with #" : ""));
     }
 }
 
@@ -155,9 +190,10 @@ bool Columns::counts_rows(std::size_t place) const {
     double expected = 0;
     for (const Row& row : rows_) {
         const std::vector<std::string_view> all = row.entries();
-        if (place >= all.size() || all[place].empty()) return false;
+        if (place >= all.size()) return false;
+        const std::string_view entry = unquoted(all[place]);
         double found = -1;
-        std::from_chars(all[place].data(), all[place].data() + all[place].size(), found);
+        std::from_chars(entry.data(), entry.data() + entry.size(), found);
         if (&row == &rows_.front() && found == 1) expected = 1;
         if (found != expected++) return false;
     }

@@ -9,7 +9,8 @@
 namespace command_line {
 
 /// A file of numbers in columns, between which are commas or blanks. # starts a comment; a first line that
-/// begins with a letter or a quote is a header that names the columns. A comma may end a line.
+/// begins with a name is a header that names the columns, all or all but one that counts the rows. A comma may
+/// end a line, and entries may stand in quotes.
 class Columns {
   public:
     /// A line that is neither blank nor a comment.
@@ -22,8 +23,8 @@ class Columns {
     };
 
     /// Reads a file. \param option that names the file, for messages
-    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas and semicolons, each
-    ///         with what to do
+    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas, semicolons, and a first
+    ///         line of names and numbers, each with what to do
     Columns(std::string option, std::string path);
     Columns(const Columns&) = delete;
     Columns& operator=(const Columns&) = delete;
@@ -55,13 +56,16 @@ class Columns {
   private:
     void check_encoding() const;
     void check_separators(const Row& row) const;
+    void check_header();
 
     std::string option_, path_, text_;
     std::string_view header_;
+    long header_line_ = 0;
+    bool numbered_ = false;  ///< the first column counts the rows, and the header does not name it
     std::vector<Row> rows_;
 };
 
-/// Whether a line begins with a name, as a header does. nan and inf are no names.
+/// Whether the first entry of a line that is not empty is a name, as in a header. nan and inf are no names.
 bool starts_with_name(std::string_view line);
 
 }  // namespace command_line

@@ -65,6 +65,9 @@ Column<double> read_positions(const std::string& path, const std::vector<std::st
     const Columns file("--positions", path);
     if (file.rows().empty()) file.refuse(" holds no position");
     const std::size_t place = place_of_positions(file, columns);
+    if (const std::size_t count = file.rows().front().entries().size(); file.rows().size() == 1 && count > 2)
+        file.refuse(file.rows().front(), file.rows().front().text,
+                    "has " + std::to_string(count) + " numbers; write each position on a line of its own");
     std::vector<double> x;
     std::string_view before;
     for (const Columns::Row& row : file.rows()) {
@@ -96,11 +99,13 @@ void check_two_columns(const Columns& file) {
     const Columns::Row& row = file.rows().front();
     const std::size_t count = row.entries().size();
     if (count == 2) return;
+    const bool whole = row.text.find_first_not_of("0123456789,-") == std::string_view::npos;
     file.refuse(row, row.text,
                 count == 1 ? "has 1 column; a layout needs x,y"
                            : "has " + std::to_string(count) +
                                  " columns; a layout needs x,y: choose them, such as --columns " +
-                                 (file.counts_rows(0) ? "2,3" : "1,2"));
+                                 (file.counts_rows(0) ? "2,3" : "1,2") +
+                                 (whole ? "; or, if its commas are decimal, write points" : ""));
 }
 
 }  // namespace
@@ -124,8 +129,10 @@ Points<2> read_points(const std::string& path, const std::vector<std::string>& c
     for (const Columns::Row& row : file.rows()) {
         if (!chosen) check_count(file, row);
         if (const std::size_t count = row.entries().size(); chosen && columns.empty() && count != header)
-            file.refuse(row, row.text,
-                        "has " + std::to_string(count) + " columns, the header " + std::to_string(header));
+            file.refuse(
+                row, row.text,
+                "has " + std::to_string(count) + " columns, the header " + std::to_string(header) +
+                    (&row == &file.rows().front() ? "; choose two by number, such as --columns 1,2" : ""));
         for (const std::size_t place : places) x.push_back(file.number(row, place));
     }
     return Eigen::Map<Points<2>>(x.data(), 2, static_cast<Index>(x.size() / 2));

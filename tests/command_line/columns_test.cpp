@@ -27,7 +27,8 @@ TEST_CASE("columns: separated by commas or blanks, found by name or number, and 
     const support::Folder folder;
     const std::string path = folder.path + "/a.csv";
     for (const char* text : {"a,b\n1,2\n3,4\n", "a b\n1 2\n3\t4", "\"a\", \"b\",\n+1, 2 ,\n\n3,4D0, # end\n",
-                             "\357\273\277a,b\r\n1,2\r\n3,4\r\n"}) {
+                             "\357\273\277a,b\r\n1,2\r\n3,4\r\n", "a,b\r1,2\r3,4\r",
+                             "\"a\",\"b\"\n\"1\",\"2\"\n\"3\",\"4\"\n"}) {
         CAPTURE(text);
         report::write_whole(path, text);
         const Columns file("--option", path);
@@ -55,6 +56,39 @@ TEST_CASE("columns: one that counts the rows is recognised") {
     }
 }
 
+TEST_CASE("columns: one that counts the rows needs no name in the header") {
+    const support::Folder folder;
+    const std::string path = folder.path + "/a.csv";
+    for (const char* text : {",a,b\n0,1,2\n1,3,4\n", "\"\",a,b\n1,1,2\n2,3,4\n", "a b\n0 1 2\n1 3 4\n",
+                             "\"a\" \"b\"\n\"1\" 1 2\n\"2\" 3 4\n"}) {
+        CAPTURE(text);
+        report::write_whole(path, text);
+        const Columns file("--option", path);
+        REQUIRE(file.rows().size() == 2);
+        CHECK(file.names().size() == 3);
+        CHECK(file.place_of("a") == 1);
+        CHECK(file.place_of("b") == 2);
+        CHECK(file.number(file.rows()[1], 2) == 4);
+    }
+}
+
+TEST_CASE("columns: a first line of numbers in quotes, or with a number that is missing, is no header") {
+    const support::Folder folder;
+    const std::string path = folder.path + "/a.csv";
+    report::write_whole(path, "\"1\",\"2\"\n\"3\",\"4\"\n");
+    CHECK(Columns("--option", path).rows().size() == 2);
+    for (const std::string first : {"NA,0.3", "x 0.3"}) {
+        report::write_whole(path, first + (first[1] == 'A' ? "\n0.1,0.3\n" : "\n0.1 0.3\n"));
+        CHECK_THROWS_WITH_AS(
+            Columns("--option", path),
+            doctest::Contains(
+                ("line 1: '" + first + "' has a name and a number; mend it, or put # before it").c_str()),
+            base::InvalidInput);
+    }
+    report::write_whole(path, "layout 1 of two\n0.1 0.3\n");
+    CHECK(Columns("--option", path).rows().size() == 1);
+}
+
 TEST_CASE("columns: another encoding, decimal commas and semicolons are named, each with what to do") {
     const support::Folder folder;
     const std::string path = folder.path + "/a.csv", text = "0 1\n1 2\n";
@@ -66,6 +100,11 @@ TEST_CASE("columns: another encoding, decimal commas and semicolons are named, e
              "a.csv is UTF-16; convert it, iconv -f UTF-16 -t UTF-8 " + path},
             {utf_16(text, true), "a.csv is UTF-16; convert it, iconv -f UTF-16BE -t UTF-8 " + path},
             {utf_16(text, false), "a.csv is UTF-16; convert it, iconv -f UTF-16LE -t UTF-8 " + path},
+            {std::string("\xFF\xFE\0\0"
+                         "0\0\0\0",
+                         8),
+             "a.csv is UTF-32; convert it, iconv -f UTF-32 -t UTF-8 " + path},
+            {"0,5, 0,7\n", "has decimal commas; write points, sed 's/, / /g; s/,/./g' " + path},
             {"1 2\n0,5 0,7\n", "line 2: '0,5 0,7' has decimal commas; write points, sed 's/,/./g' " + path},
             {"0,5\t-0,7\n", "has decimal commas; write points, sed 's/,/./g' " + path},
             {"x;y\n0,5;0,7\n",
@@ -76,6 +115,11 @@ TEST_CASE("columns: another encoding, decimal commas and semicolons are named, e
         CHECK_THROWS_WITH_AS(Columns("--option", path), doctest::Contains(reason.c_str()),
                              base::InvalidInput);
     }
+    report::write_whole(path, "% a comment\n0 1\n");
+    const Columns file("--option", path);
+    CHECK_THROWS_WITH_AS(static_cast<void>(file.number(file.rows()[0], 0)),
+                         doctest::Contains("line 1: '%' is no number; a comment begins with #"),
+                         base::InvalidInput);
     CHECK_THROWS_WITH_AS(Columns("--option", "/nowhere"),
                          "--option: cannot read /nowhere: No such file or directory", base::InvalidInput);
 }

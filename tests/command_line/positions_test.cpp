@@ -38,7 +38,8 @@ TEST_CASE("positions: a number on a line or the first column of a CSV, with comm
          {"0\n0.25\n1\n", "0\n0.25\n1", "0\r\n0.25\r\n1\r\n", "x\n0\n0.25\n1\n",
           "# spacing\n\n  x , name\n0,first\n\t0.25 # here\n1e0,,last\n\n", "\"x\",\"u\"\n0,1\n0.25,2\n1,3\n",
           "\357\273\2770\n0.25\n1\n", "+0.0\n+0.25\n+1.0D0\n", "0,\n0.25 ,\n1,\n", "u x\n7 0\n7 0.25\n7 1\n",
-          "0 7\n0.25 8\n1 9\n", "-1e-12\n0.25\n1.000000001\n"}) {
+          "0 7\n0.25 8\n1 9\n", ",x\n0,0\n1,0.25\n2,1\n", "\"x\"\n\"1\" 0\n\"2\" 0.25\n\"3\" 1\n",
+          "0\r0.25\r1\r", "-1e-12\n0.25\n1.000000001\n"}) {
         CAPTURE(text);
         const auto x = read(text);
         REQUIRE(x.size() == 3);
@@ -94,6 +95,7 @@ TEST_CASE("positions: anything else is refused with its line and its value") {
          "counts its lines in the first column; name the column of positions, --columns 2"},
         {"1 0\n2 0.5\n3 1\n",
          "counts its lines in the first column; name the column of positions, --columns 2"},
+        {"0 0.25 1\n", "line 1: '0 0.25 1' has 3 numbers; write each position on a line of its own"},
         {"0\n0.9999999\n", "line 2: '0.9999999' is the last position; it must be 1"},
     };
     for (const auto& [text, reason] : all) {
@@ -147,6 +149,9 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
               "line 2: '1,2,3' has 3 columns; a layout needs x,y: choose them, such as --columns 1,2"},
              {"1,0.2,0.3\n2,0.4,0.3\n",
               "line 1: '1,0.2,0.3' has 3 columns; a layout needs x,y: choose them, such as --columns 2,3"},
+             {"0,5,0,7\n", "such as --columns 1,2; or, if its commas are decimal, write points"},
+             {"x [m] y [m]\n0 1\n",
+              "line 2: '0 1' has 2 columns, the header 4; choose two by number, such as --columns 1,2"},
              {"x,y,h\n0,0,1\n0,1\n", "line 3: '0,1' has 2 columns, the header 3"},
              {"0,\n", "line 1: '0,' has 1 column; a layout needs x,y"},
              {",0\n", "line 1: '' is no number"},
