@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
@@ -18,15 +18,57 @@ using particles::Smoothing;
 
 namespace {
 
-/// Whether the worst row is far from what is refused.
-bool good(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
-    try {
-        const Row row = worst(formulation, discrete, rows);
-        return row.R <= most(row) / 10;
-    } catch (const base::FailedComputation&) {
-        return false;
-    }
+/// The rows with the largest R over most(), and with the largest Σ|w|.
+struct Worst {
+    Row by_error, by_round_off;
+};
+
+Worst worst_rows(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
+    const auto& [line, smoothing] = discrete;
+    const auto [D, D2] = formulation.operators(line, smoothing);
+    const Column<double> delta = spacing(discrete), one = Column<double>::Constant(1, 1);
+    const double ratio = smoothing.h() / delta.maxCoeff();
+    const auto [first, second] = rows(line.size());
+    Worst found;
+    const auto look = [&](const Operator<double>& derivative, int k, int exact,
+                          const particles::Range& some) {
+        if (some.size() <= 0) return;
+        // With m = -1, quality() is the sum of |w|.
+        const Column<double> R = particles::quality(derivative, line, k, exact, delta),
+                             sum = particles::quality(derivative, line, 0, -1, one);
+        const auto row_of_largest = [&](const Column<double>& of) {
+            Row row{0, 0, 0, k, exact, ratio};
+            of.segment(some.first, some.size()).maxCoeff(&row.particle);
+            row.particle += some.first;
+            row.R = R[row.particle];
+            row.sum = sum[row.particle];
+            return row;
+        };
+        const Row error = row_of_largest(R), round_off = row_of_largest(sum);
+        if (error.R / most(error) > found.by_error.R / most(found.by_error)) found.by_error = error;
+        if (round_off.sum > found.by_round_off.sum) found.by_round_off = round_off;
+    };
+    look(D, 1, formulation.exact.first, first);
+    look(D2, 2, formulation.exact.second, second);
+    return found;
 }
+
+/// What is required of the rows of a formulation.
+struct Required {
+    const Formulation<double>& formulation;
+    RowsOf rows;
+    double unit;  ///< of round-off
+
+    /// Whether the worst rows are far from what is refused.
+    [[nodiscard]] bool holds_for(const Particles<double>& discrete) const {
+        try {
+            const auto [error, round_off] = worst_rows(formulation, discrete, rows);
+            return error.R <= most(error) / 10 && unit * round_off.sum <= most_round_off / 10;
+        } catch (const base::FailedComputation&) {
+            return false;
+        }
+    }
+};
 
 /// The numbers of a column without that of particle i; a single number serves all.
 Column<double> without(const Column<double>& all, Index i) {
@@ -47,48 +89,64 @@ Particles<double> left_out(const Particles<double>& discrete, Index i) {
 }
 
 /// "particles 0 and 1 lie 0.001 apart, the next one 0.01; leave one of them out", where that helps.
-std::string fewer_particles(const Formulation<double>& formulation, const Particles<double>& discrete,
-                            Index i, RowsOf rows) {
+std::string fewer_particles(const Required& required, const Particles<double>& discrete, Index i) {
     const std::string pair = particles::close_pair(discrete.line, i);
     if (pair.empty()) return "";
     const double apart = particles::distance_to_nearest(discrete.line, i, 1);
     const int first = particles::pair_around(discrete.line, i, apart).front();
-    return good(formulation, left_out(discrete, std::max(first, 1)), rows) ? pair : "";
+    return required.holds_for(left_out(discrete, std::max(first, 1))) ? pair : "";
 }
 
 /// "--smoothing 2.2": of the larger and smaller smoothing lengths, in steps of a tenth, the closest that helps.
-std::string other_smoothing(const Formulation<double>& formulation, const Particles<double>& discrete,
-                            RowsOf rows) {
+std::string other_smoothing(const Required& required, const Particles<double>& discrete) {
     const auto& [line, smoothing] = discrete;
     const double ratio = smoothing.ratio().value_or(1);
     for (int k = 1; k <= 10; ++k)
         for (const double factor : {std::pow(1.1, k), std::pow(1.1, -k)}) {
             const std::string rounded = shown(ratio * factor, 2);
-            if (good(formulation, {line, smoothing.times(std::stod(rounded) / ratio)}, rows))
+            if (required.holds_for({line, smoothing.times(std::stod(rounded) / ratio)}))
                 return smoothing.ratio() ? "--smoothing " + rounded
                                          : "smoothing lengths " + rounded + " times as large";
         }
     return "";
 }
 
-/// "--smoothing-from local", where that helps.
-std::string local_smoothing(const Formulation<double>& formulation, const Particles<double>& discrete,
-                            RowsOf rows) {
-    const auto& [line, smoothing] = discrete;
-    if (smoothing.is_local() || !smoothing.ratio()) return "";
-    const Column<double> local = particles::spacing(line, particles::Spacing::local);
-    const Smoothing<double> of_each(smoothing.kernel(), local, *smoothing.ratio());
-    return good(formulation, {line, of_each}, rows) ? "--smoothing-from local" : "";
+/// "--smoothing-from local", the first of some spacings that helps.
+std::string other_spacing(const Required& required, const Particles<double>& discrete) {
+    return particles::other_spacing(discrete.line, discrete.smoothing,
+                                    [&](const Smoothing<double>& smoothing) {
+                                        return required.holds_for({discrete.line, smoothing});
+                                    });
 }
 
-std::string remedy(const Formulation<double>& formulation, const Particles<double>& discrete, Index i,
-                   RowsOf rows) {
-    const std::string fewer = fewer_particles(formulation, discrete, i, rows),
-                      other = other_smoothing(formulation, discrete, rows),
-                      local = local_smoothing(formulation, discrete, rows);
-    const std::string tried = other + (other.empty() || local.empty() ? "" : " or ") + local;
+/// What helps where the row of particle i is not worth a table: the end of a sentence.
+/// \param more another remedy, which was tried, or none
+std::string remedy(const Required& required, const Particles<double>& discrete, Index i,
+                   const std::string& more = "") {
+    const std::string fewer = fewer_particles(required, discrete, i);
+    std::string tried;
+    for (const std::string& one :
+         {other_smoothing(required, discrete), other_spacing(required, discrete), more})
+        if (!one.empty()) tried += (tried.empty() ? "" : " or ") + one;
     if (fewer.empty()) return tried.empty() ? "take other particles" : "try " + tried;
     return fewer + (tried.empty() ? "" : ", or try " + tried);
+}
+
+/// "--precision long": the first of the finer precisions in which round-off is small.
+std::string finer_precision(const Row& row) {
+    for (const auto& [name, unit] : {std::pair{"long", 0x1p-63}, std::pair{"quad", 0x1p-112}})
+        if (unit * row.sum <= most_round_off / 10) return std::string("--precision ") + name;
+    return "";
+}
+
+/// "second_order_fpm: at particle 3 (x = 0.1) "
+std::string place(const Required& required, const Particles<double>& discrete, const Row& row) {
+    return std::string(required.formulation.name) + ": at particle " + std::to_string(row.particle) + " (" +
+           particles::position_in_words(discrete.line, row.particle) + ") ";
+}
+
+std::string name(const Row& row) {
+    return row.derivative == 1 ? "DB" : "D2B";
 }
 
 }  // namespace
@@ -102,35 +160,27 @@ Column<double> spacing(const Particles<double>& discrete) {
 }
 
 Row worst(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
-    const Line<double>& line = discrete.line;
-    const auto [D, D2] = formulation.operators(line, discrete.smoothing);
-    const Column<double> delta = spacing(discrete);
-    const double ratio = discrete.smoothing.h() / delta.maxCoeff();
-    const auto [first, second] = rows(line.size());
-    Row found;
-    const auto look = [&](const Operator<double>& derivative, int k, int exact,
-                          const particles::Range& some) {
-        if (some.size() <= 0) return;
-        const Column<double> R = particles::quality(derivative, line, k, exact, delta);
-        Row row{0, 0, k, exact, ratio};
-        row.R = R.segment(some.first, some.size()).maxCoeff(&row.particle);
-        row.particle += some.first;
-        if (row.R / most(row) > found.R / most(found)) found = row;
-    };
-    look(D, 1, formulation.exact.first, first);
-    look(D2, 2, formulation.exact.second, second);
-    return found;
+    return worst_rows(formulation, discrete, rows).by_error;
 }
 
-Row require(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
-    const Row row = worst(formulation, discrete, rows);
-    if (row.R <= most(row)) return row;
-    throw base::FailedComputation(
-        std::string(formulation.name) + ": at particle " + std::to_string(row.particle) + " (" +
-        particles::position_in_words(discrete.line, row.particle) + ") the error of " +
-        (row.derivative == 1 ? "DB" : "D2B") + " may reach R delta^" + std::to_string(row.p()) + " |B^(" +
-        std::to_string(row.exact + 1) + ")| with R = " + shown(row.R, 3) + ", where " + shown(most(row)) +
-        " is the most for a table; " + remedy(formulation, discrete, row.particle, rows));
+Row require(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows,
+            const Precision& precision) {
+    const Required required{formulation, rows, precision.unit};
+    const auto [error, round_off] = worst_rows(formulation, discrete, rows);
+    if (error.R > most(error))
+        throw base::FailedComputation(place(required, discrete, error) + "the error of " + name(error) +
+                                      " may reach R delta^" + std::to_string(error.p()) + " |B^(" +
+                                      std::to_string(error.exact + 1) + ")| with R = " + shown(error.R, 3) +
+                                      ", where " + shown(most(error)) + " is the most for a table; " +
+                                      remedy(required, discrete, error.particle));
+    if (precision.unit * round_off.sum > most_round_off)
+        throw base::FailedComputation(place(required, discrete, round_off) + "round-off of " +
+                                      name(round_off) + " may reach " +
+                                      shown(precision.unit * round_off.sum, 2) + " |B|, where " +
+                                      shown(most_round_off) + " is the most for a table; " +
+                                      remedy(required, discrete, round_off.particle,
+                                             precision.finer ? finer_precision(round_off) : ""));
+    return error;
 }
 
 }  // namespace asprone2010::quality

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "particles/quality.hpp"
@@ -53,6 +54,7 @@ inline Rows of_vibration_test(Index N) {
 /// A row and how far it may err: its error is at most \f$R\,\delta^p\,\max|B^{(m+1)}|\f$.
 struct Row {
     double R = 0;
+    double sum = 0;  ///< Σ|w|, by which round-off of B is multiplied [1/length^k]
     Index particle = 0;
     int derivative = 2;  ///< k: 1 for a row of D, 2 for one of D²
     int exact = 0;       ///< m
@@ -68,16 +70,27 @@ inline double most(const Row& row) {
     return row.p() > 0 ? 1000 * std::pow(std::max(1.0, row.ratio), row.p()) : 100;
 }
 
+/// The most that round-off may contribute to a derivative, as a share of max |B|. A million particles at equal
+/// distances stay ten times below it in double precision; two particles 10⁻⁸ apart may not.
+constexpr double most_round_off = 0.1;
+
+/// The round-off unit of a computation, and whether its user may choose a smaller one.
+struct Precision {
+    double unit = std::numeric_limits<double>::epsilon();
+    bool finer = false;
+};
+
 /// The worst of the rows of a formulation that a test uses, measured by R over most(). Errors as for
 /// Formulation::operators.
 Row worst(const Formulation<double>& formulation, const numerical_tests::Particles<double>& discrete,
           RowsOf rows);
 
 /// \return the worst of the rows
-/// \throws base::FailedComputation where its R is larger than most(), naming the formulation, the particle,
-///         its position, R, and what helps, after trying it
+/// \throws base::FailedComputation where its R is larger than most(), or where round-off, the unit times Σ|w|
+///         of a row, is larger than most_round_off, naming the formulation, the particle, its position, the
+///         number, and what helps, after trying it
 Row require(const Formulation<double>& formulation, const numerical_tests::Particles<double>& discrete,
-            RowsOf rows);
+            RowsOf rows, const Precision& precision = {});
 
 }  // namespace quality
 }  // namespace asprone2010

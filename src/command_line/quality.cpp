@@ -1,13 +1,16 @@
 #include "command_line/quality.hpp"
 
+#include <limits>
 #include <string>
 #include <tuple>
 
 #include "base/text.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/options.hpp"
 
 namespace command_line {
 
+using asprone2010::quality::Precision;
 using asprone2010::quality::Row;
 using asprone2010::quality::RowsOf;
 using base::shown;
@@ -19,12 +22,16 @@ void add_quality(CommandLine& app, Options& options) {
         "add a column with R of the worst row: its error is at most R delta^p times a derivative of the function");
 }
 
-Row require_quality(const Options& options, const Case& one, RowsOf rows) {
-    return asprone2010::quality::require(formulation_named(one.formulation), line_of(options, one), rows);
+Row require_quality(const Options& options, const Case& one, RowsOf rows, const Precision& precision) {
+    return asprone2010::quality::require(formulation_named(one.formulation), line_of(options, one), rows,
+                                         precision);
 }
 
 std::vector<Cell> Quality::numbers(const Case& one, const std::function<std::vector<Cell>()>& compute) {
-    const Row worst = require_quality(options_, one, rows_);
+    const double unit = in_precision(options_.precision, [](auto zero) {
+        return static_cast<double>(std::numeric_limits<decltype(zero)>::epsilon());
+    });
+    const Row worst = require_quality(options_, one, rows_, {unit, true});
     std::vector<Cell> numbers = compute();
     if (!options_.quality) return numbers;
     numbers.emplace_back(worst.R);

@@ -14,11 +14,13 @@ namespace command_line {
 /// Adds `--quality` to a numerical test.
 void add_quality(CommandLine& app, Options& options);
 
+/// \param precision that of the program
 /// \throws base::FailedComputation as asprone2010::quality::require(), for a case of one of formulations()
 asprone2010::quality::Row require_quality(const Options& options, const Case& one,
-                                          asprone2010::quality::RowsOf rows);
+                                          asprone2010::quality::RowsOf rows,
+                                          const asprone2010::quality::Precision& precision = {});
 
-/// Refuses cases that are not worth a table, and shows with `--quality` how good the others are.
+/// Refuses cases that are not worth a table in the precision that was asked for, and shows with `--quality` how good the others are.
 class Quality {
   public:
     /// \param rows those that the test uses

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/errors.hpp"
@@ -13,6 +14,7 @@
 #include "base/text.hpp"
 #include "particles/close_pair.hpp"
 #include "particles/neighbourhood.hpp"
+#include "particles/spacing.hpp"
 
 namespace particles {
 
@@ -101,6 +103,18 @@ std::string other_smoothing(const Points& points, const Smoothing<Scalar, dim>& 
     return "";
 }
 
+/// "--smoothing-from local": the first of some spacings that helps, if h was given as h/δ.
+/// \param helps whether a Smoothing does
+template <class Points, class Scalar, int dim, class Helps>
+std::string other_spacing(const Points& points, const Smoothing<Scalar, dim>& smoothing, const Helps& helps) {
+    if (!smoothing.ratio()) return "";
+    for (const auto& [name, kind] : {std::pair{"local", Spacing::local}, {"largest", Spacing::largest}})
+        if (helps(Smoothing<Scalar, dim>(smoothing.kernel(), Column<Scalar>(spacing(points, kind)),
+                                         Scalar(*smoothing.ratio()))))
+            return std::string("--smoothing-from ") + name;
+    return "";
+}
+
 /// What helps where particle i has too few neighbours, or neighbours that do not determine the weights: the
 /// end of a sentence. \param weights a function of a Neighbourhood
 template <class Points, class Scalar, int dim, class Weights>
@@ -112,6 +126,10 @@ std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing
                       other = other_smoothing(points, smoothing, required, weights);
     if (!pair.empty()) return pair + (other.empty() ? "" : ", or try " + other);
     if (!other.empty()) return "try " + other;
+    const std::string from = other_spacing(points, smoothing, [&](const Smoothing<Scalar, dim>& tried) {
+        return determined(points, tried, required, weights);
+    });
+    if (!from.empty()) return "try " + from;
     return std::string("take another ") + (smoothing.ratio() ? "--smoothing" : "smoothing length") +
            " or other particles";
 }

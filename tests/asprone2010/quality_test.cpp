@@ -1,5 +1,6 @@
 #include "asprone2010/quality.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -115,6 +116,37 @@ TEST_CASE("quality: the remedies of a refusal help when they are followed") {
         }
         CHECK(proposed > 3);
     }
+}
+
+TEST_CASE(
+    "quality: a row that multiplies round-off until it hides the derivative is refused, with what helps") {
+    Column<double> x(41);  // each gap 1.9 times as wide as the one before it
+    for (Index j = 0; j < 41; ++j)
+        x[j] = (std::pow(1.9, static_cast<double>(j)) - 1) / (std::pow(1.9, 40.0) - 1);
+    const numerical_tests::Discretisation how{Volumes::equal, particles::kernel_named("cubic_spline"), 1.5, 0,
+                                              Spacing::local};
+    const auto& chen_beraun = formulation_named<double>("chen_beraun");
+    const auto refused = numerical_tests::discretise<double>(how, x);
+    const auto refusal_in = [&](const quality::Precision& precision) {
+        try {
+            quality::require(chen_beraun, refused, of_derivative_test, precision);
+        } catch (const base::FailedComputation& failed) {
+            return std::string(failed.what());
+        }
+        return std::string();
+    };
+    // In double the second derivative of exp errs by 1e6 there, in quadruple precision by 3.
+    CHECK(refusal_in({}).find("round-off of D2B may reach ") != std::string::npos);
+    CHECK(refusal_in({}).find("--precision") == std::string::npos);
+    CHECK(refusal_in({0x1p-52, true}).find("--precision quad") != std::string::npos);
+    CHECK(refusal_in({0x1p-63, true}).find("--precision quad") != std::string::npos);
+    CHECK(refusal_in({0x1p-112, true}).empty());
+    // So does a smoothing length that does not shrink with the gaps.
+    CHECK(refusal_in({}).ends_with("; try --smoothing-from largest"));
+    const auto helped =
+        numerical_tests::discretise<double>({how.volumes, how.kernel, how.smoothing, 0, Spacing::largest}, x);
+    CHECK(refusal(chen_beraun, helped, of_derivative_test).empty());
+    CHECK(refusal(chen_beraun, particles_of(1000000), of_derivative_test).empty());
 }
 
 TEST_CASE("quality: only the rows that a test uses count") {

@@ -84,6 +84,21 @@ TEST_CASE("requirement: neighbours far within h are refused with a smaller lengt
     CHECK_NOTHROW(static_cast<void>(formulation.operators(line, {Gaussian{}, mean, 0.5})));
 }
 
+TEST_CASE(
+    "requirement: where no multiple of the smoothing lengths serves, those of another spacing are named") {
+    const auto& formulation = asprone2010::formulation_named<double>("modified_fpm");
+    const auto line = line_at<double>(uniform_positions(11), Volumes::equal);
+    Column<double> lengths = Column<double>::Constant(11, 0.1);
+    lengths[4] = 1e-9;
+    CHECK_THROWS_WITH_AS(static_cast<void>(formulation.operators(line, {Gaussian{}, lengths, 1.5})),
+                         doctest::Contains("needs 3; try --smoothing-from local"), FailedComputation);
+    CHECK_NOTHROW(
+        static_cast<void>(formulation.operators(line, {Gaussian{}, spacing(line, Spacing::local), 1.5})));
+    CHECK_THROWS_WITH_AS(static_cast<void>(formulation.operators(line, {Gaussian{}, lengths})),
+                         doctest::Contains("; take another smoothing length or other particles"),
+                         FailedComputation);
+}
+
 TEST_CASE("requirement: where nothing is found, the words name no direction") {
     const auto line = line_at<double>(uniform_positions(9), Volumes::equal);
     const auto never = [](const Neighbourhood<double>&) -> Derivatives<double> {
