@@ -141,8 +141,8 @@ bool fits(const Points<2>& x, const Region& region, double size) {
     }
 }
 
-/// "; try --snap 6.1e-08": the least distance that moves all particles that are astray, if they are not far
-/// from the boundary, onto it. Empty if that leaves a particle astray.
+/// "; try --snap 6.1e-08": the least distance that moves all particles that are astray onto the boundary. Empty
+/// if that leaves a particle astray, or moves one by more than half its distance to the next.
 std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size) {
     const Astray astray(cloud, region, size);
     double farthest = 0;
@@ -153,8 +153,9 @@ std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size
     }
     for (const double more : {1.1, 1.6, 2.2}) {  // a corner is farther away than a side
         const std::string rounded = shown(more * farthest, 2);
-        if (fits(snapped(cloud.x(), region, std::stod(rounded)).x, region, size))
-            return "; try --snap " + rounded;
+        const Points<2> moved = snapped(cloud.x(), region, std::stod(rounded)).x;
+        const Column<double> way = (moved - cloud.x()).colwise().norm().transpose();
+        if ((way <= cloud.apart() / 2).all() && fits(moved, region, size)) return "; try --snap " + rounded;
     }
     return "";
 }

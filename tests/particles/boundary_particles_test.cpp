@@ -117,6 +117,25 @@ TEST_CASE(
     CHECK_NOTHROW(check(x));
 }
 
+TEST_CASE(
+    "boundary_particles: a proposed snap moves no particle by more than half its distance to the next") {
+    // Scaled so that the outer corner is farther from its place than inner particles are from the hole.
+    int helped = 0;
+    for (unsigned long draw = 1; draw <= 5; ++draw)
+        for (const double scale : {0.98, 0.9871833, 0.995, 1.005, 1.02}) {
+            CAPTURE(draw);
+            CAPTURE(scale);
+            const Points<2> x = scale * graded_layout(shape, 80, 7, draw);
+            const double distance = proposed(x);
+            if (distance == 0) continue;
+            ++helped;
+            const Points<2> moved = snapped(x, quarter(), distance).x;
+            const Column<double> way = (moved - x).colwise().norm().transpose();
+            CHECK((way <= Cloud<2>(x).apart() / 2).all());
+        }
+    CHECK(helped > 5);
+}
+
 TEST_CASE("boundary_particles: an inner particle may lie beside particles of the boundary") {
     for (const double away : {2e-3, 0.03, 0.2}) {
         const Index j = on_arc(layout());
