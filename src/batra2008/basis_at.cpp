@@ -99,6 +99,24 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
     return "";
 }
 
+/// "--smoothing-from 3-nearest": the smallest number of nearest particles whose distance is long enough, for a
+/// place and for the particles. Empty if none is found.
+template <int dim>
+std::string nearest_remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+                           const Point<dim>& place) {
+    const Column<double> to_nth =
+        particles::spacing(cloud, particles::Spacing::to_nearest(monomials.number - 1));
+    for (Index K = 2; K < monomials.number; ++K) {
+        const Column<double> h = particles::spacing(cloud, particles::Spacing::to_nearest(K));
+        const std::vector<Index> hardest = loneliest(to_nth / h);
+        if (monomials.determined(rho, h[cloud.nearest(place)], place) &&
+            std::all_of(hardest.begin(), hardest.end(),
+                        [&](Index j) { return monomials.determined(rho, h[j], cloud.x().col(j)); }))
+            return "--smoothing-from " + std::to_string(K) + "-nearest";
+    }
+    return "";
+}
+
 /// "try --scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth.
 /// \param lengths the smoothing lengths of particles for which it is to be enough, too; or none
 template <int dim>
@@ -133,6 +151,8 @@ std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& mon
             return "try --scaling " + base::shown(scaling) + (larger_h.empty() ? "" : " or " + larger_h);
     }
     if (!larger_h.empty()) return "try " + larger_h;
+    if (const std::string nearest = nearest_remedy(cloud, monomials, rho, x); !nearest.empty())
+        return "try " + nearest;
     const bool far = ((x - cloud.x().rowwise().maxCoeff()).array() > cloud.spacing()).any() ||
                      ((cloud.x().rowwise().minCoeff() - x).array() > cloud.spacing()).any();
     return far ? "take a place nearer to the particles" : "take other particles";
@@ -147,10 +167,12 @@ base::FailedComputation refusal(const particles::Cloud<dim>& cloud, const Monomi
                                 double rho, const Point<dim>& x, double h, std::size_t found,
                                 const std::string& why, const Column<double>& lengths = {}) {
     return base::FailedComputation(
-        "ssph_basis: at " + particles::shown_point(x) + " there are " + std::to_string(found) +
-        " particles within " + base::shown(rho) + "h = " + base::shown(rho * h, 3) + " for the " +
-        std::to_string(monomials.number) + " monomials of degree " + std::to_string(monomials.degree) + why +
-        "; " + remedy(cloud, monomials, rho, x, h, lengths));
+        "ssph_basis: at " + particles::shown_point(x) +
+        (found == 1 ? " there is 1 particle within "
+                    : " there are " + std::to_string(found) + " particles within ") +
+        base::shown(rho) + "h = " + base::shown(rho * h, 3) + " for the " + std::to_string(monomials.number) +
+        " monomials of degree " + std::to_string(monomials.degree) + why + "; " +
+        remedy(cloud, monomials, rho, x, h, lengths));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "particles/layouts.hpp"
+#include "particles/spacing.hpp"
 #include "tests/batra2008/bases.hpp"
 #include "tests/relative.hpp"
 
@@ -66,6 +68,32 @@ TEST_CASE("basis_at: of two particles that lie close together both are named") {
     CHECK(
         refusal([&] { support::bases(2, x, 3, Point<2>(0.5, 0.5), 1.0 / 1024); }) ==
         "ssph_basis: at (0.5, 0.5) there are 2 particles within 3h = 0.00293 for the 6 monomials of degree 2; particles 12 and 25 lie 0.000977 apart, the next one 0.25; leave one of them out, or try --smoothing-from 0.562");
+}
+
+TEST_CASE("basis_at: where no scaling factor helps on a graded cloud, the distance to more particles does") {
+    int helped = 0;
+    for (unsigned long draw = 1; draw <= 3; ++draw) {
+        const Points<2> layout = particles::graded_layout({0.3, 3}, 80, 7, draw);
+        for (Eigen::Index j = 40; j < 80; j += 3) {
+            const double apart = Cloud<2>(layout).apart()[j];
+            Points<2> x(2, 81);
+            x << layout, layout.col(j) + apart * Point<2>(0.15, 0.1);
+            const Cloud<2> cloud(x);
+            const TruncatedGaussian<2> kernel(4);
+            const auto solved_with = [&](const Column<double>& h) {
+                for (Eigen::Index k = 0; k < 81; ++k)
+                    static_cast<void>(ssph_basis::basis_at<2>(cloud, kernel, Point<2>(x.col(k)), h[k]));
+            };
+            const std::string why = refusal([&] { solved_with(cloud.apart()); });
+            const std::size_t at = why.find("; try --smoothing-from ");
+            if (at == std::string::npos || !why.ends_with("-nearest")) continue;
+            CAPTURE(why);
+            ++helped;
+            const auto from = particles::spacing_named(why.substr(at + 23));
+            CHECK_NOTHROW(solved_with(particles::spacing(cloud, from)));
+        }
+    }
+    CHECK(helped > 10);
 }
 
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {
