@@ -44,20 +44,22 @@ auto polar(const std::string& name) {
 /// Refuses positions whose largest is about that of the quarter in another unit.
 void check_unit(const std::string& name, const Points<2>& x) {
     const double side = QuarterWithHole().side, largest = x.cols() == 0 ? side : x.cwiseAbs().maxCoeff();
-    for (const auto& [unit, metres] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"km", 1e3}})
+    for (const auto& [unit, metres] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"inches", 0.0254}, {"km", 1e3}})
         if (std::abs(largest * metres / side - 1) < 0.1)
             throw InvalidInput("--layout: " + name + " reaches to " + base::shown(largest) +
                                ", as the quarter does in " + unit + "; write its positions in m");
 }
 
-/// Particles of a file, those within a distance of the boundary moved onto it.
-Layout snapped(const std::string& name, const Points<2>& x, const QuarterWithHole& shape, double distance) {
+/// A layout whose particles within a distance of the boundary are moved onto it.
+Layout snapped(Layout layout, const QuarterWithHole& shape, double distance) {
     using namespace batra2008;
+    if (distance == 0) return layout;
     const auto boundary = elastostatics::region(hole::problem({hole::E, hole::nu}, shape));
-    const auto [there, moved, farthest] = particles::snapped(x, boundary, distance);
-    return {name, there, false,
-            name + ": " + std::to_string(moved) + " particles moved onto the boundary, by " +
-                base::shown(farthest, 3) + " m at most"};
+    auto [there, moved, farthest] = particles::snapped(std::move(layout.x), boundary, distance);
+    layout.x = std::move(there);
+    layout.about = layout.name + ": " + std::to_string(moved) + " particles moved onto the boundary, by " +
+                   base::shown(farthest, 3) + " m at most";
+    return layout;
 }
 
 }  // namespace
@@ -83,15 +85,14 @@ Layout Layouts::around(const QuarterWithHole& shape, const std::string& name, un
     if (const auto two = graded(name)) {
         const auto [N, on_arc] = *two;
         check_cloud(static_cast<double>(N), scaling_ * scaling_);
-        return {name, particles::graded_layout(shape, N, on_arc, draw), true};
+        return snapped({name, particles::graded_layout(shape, N, on_arc, draw), true}, shape, snap_);
     }
     if (const auto two = polar(name)) {
         const auto [rays, on_ray] = *two;
         check_cloud(static_cast<double>(rays * on_ray), scaling_ * scaling_);
-        return {name, particles::polar_layout(shape, rays, on_ray), false};
+        return snapped({name, particles::polar_layout(shape, rays, on_ray), false}, shape, snap_);
     }
-    const Points<2>& x = files_.at(name);
-    return snap_ > 0 ? snapped(name, x, shape, snap_) : Layout{name, x, false};
+    return snapped({name, files_.at(name), false}, shape, snap_);
 }
 
 }  // namespace command_line

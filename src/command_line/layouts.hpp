@@ -14,7 +14,7 @@ struct Layout {
     std::string name;
     particles::Points<2> x;
     bool drawn;           ///< whether another draw gives another layout
-    std::string about{};  ///< what was done to the particles of a file
+    std::string about{};  ///< what was done to its particles
 };
 
 /// The layouts that `--layout` names: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays
@@ -23,7 +23,7 @@ class Layouts {
   public:
     /// Reads the files, each once.
     /// \param columns of the positions in a file, as read_points() takes them
-    /// \param snap particles of a file within this distance of the boundary are moved onto it [m]
+    /// \param snap particles within this distance of the boundary are moved onto it [m]
     /// \param scaling the largest scaling factor: matrices for it must fit into memory
     /// \throws base::InvalidInput for a name that is neither; for positions in another unit than the
     ///         quarter's; for columns without a file; and for a snap that is no distance

@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
                  "layouts of particles, separated by commas (default graded-188-11)")
         .type_name("NAME|FILE[,...]");
     app.add_option("--snap", options.snap,
-                   "move particles of a file within this distance of the boundary onto it, in m (default 0)")
+                   "move particles within this distance of the boundary onto it, in m (default 0)")
         .type_name("D");
     app.add_list(
            "--columns", options.columns,

@@ -77,10 +77,22 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
 TEST_CASE("hole: a layout in another unit of length is refused by its name") {
     const programs::Folder folder;
     const std::string file = folder.path + "/x.csv";
-    for (const auto& [unit, most] : {std::pair{"mm", "3000"}, {"cm", "300"}, {"km", "0.003"}}) {
+    for (const auto& [unit, most] :
+         {std::pair{"mm", "3000"}, {"cm", "300"}, {"inches", "118.11"}, {"km", "0.003"}}) {
         report::write_whole(file, "0 " + std::string(most) + "\n" + most + " 0\n");
         programs::check_refused("hole --layout " + file, 2,
                                 "x.csv reaches to " + std::string(most) + ", as the quarter does in " + unit +
                                     "; write its positions in m");
     }
+}
+
+TEST_CASE("hole: --snap moves the particles of layouts that the program makes, too") {
+    const programs::Folder folder;
+    // Next to a hole that is nearly as large as the quarter, particles lie beside the outer sides.
+    const std::string command = "hole --method strong --radius 2.9 --layout graded-20-3";
+    programs::check_refused(command, 2, "; try --snap 0.095");
+    programs::check_refused(command + " --snap 0.095", 1, "; try --smoothing-from ");
+    CHECK(
+        programs::run("hole --method strong --layout graded-80-7 --snap 1e-6").output.find("graded-80-7: ") !=
+        std::string::npos);
 }
