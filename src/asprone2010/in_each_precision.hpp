@@ -1,6 +1,7 @@
 #pragma once
 
 #include "asprone2010/limit_stencils.hpp"
+#include "asprone2010/quality.hpp"
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 
@@ -15,10 +16,12 @@
     TEMPLATE numerical_tests::Particles<Scalar> numerical_tests::discretise(const Discretisation&, Index, \
                                                                             unsigned long);               \
     TEMPLATE derivative_test::Errors<Scalar> derivative_test::errors(                                     \
-        const Formulation<Scalar>&, const numerical_tests::Particles<Scalar>&, const Smooth<Scalar>&);    \
-    TEMPLATE Scalar static_test::error(const Formulation<Scalar>&, const Formulation<Scalar>&,            \
-                                       const numerical_tests::Particles<Scalar>&, const Smooth<Scalar>&,  \
-                                       int);                                                              \
+        const particles::Operators<Scalar>&, const numerical_tests::Particles<Scalar>&,                   \
+        const Smooth<Scalar>&);                                                                           \
+    TEMPLATE Scalar static_test::error(particles::Operators<Scalar>&&, const Line<Scalar>&,               \
+                                       const Smooth<Scalar>&, int);                                       \
+    TEMPLATE quality::Worst quality::worst(const particles::Operators<Scalar>&, const Exactness&,         \
+                                           const numerical_tests::Particles<Scalar>&, RowsOf);            \
     TEMPLATE limit_stencils::Stencil<Scalar> limit_stencils::near_end(                                    \
         const Formulation<Scalar>&, const numerical_tests::Discretisation&, Index, int, const Scalar&);   \
     }

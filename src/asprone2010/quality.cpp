@@ -18,52 +18,18 @@ using particles::Smoothing;
 
 namespace {
 
-/// The rows with the largest R over most(), and with the largest Σ|w|.
-struct Worst {
-    Row by_error, by_round_off;
-};
-
-Worst worst_rows(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
-    const auto& [line, smoothing] = discrete;
-    const auto [D, D2] = formulation.operators(line, smoothing);
-    const Column<double> delta = spacing(discrete), one = Column<double>::Constant(1, 1);
-    const double ratio = smoothing.h() / delta.maxCoeff();
-    const auto [first, second] = rows(line.size());
-    Worst found;
-    const auto look = [&](const Operator<double>& derivative, int k, int exact,
-                          const particles::Range& some) {
-        if (some.size() <= 0) return;
-        // With m = -1, quality() is the sum of |w|.
-        const Column<double> R = particles::quality(derivative, line, k, exact, delta),
-                             sum = particles::quality(derivative, line, 0, -1, one);
-        const auto row_of_largest = [&](const Column<double>& of) {
-            Row row{0, 0, 0, k, exact, ratio};
-            of.segment(some.first, some.size()).maxCoeff(&row.particle);
-            row.particle += some.first;
-            row.R = R[row.particle];
-            row.sum = sum[row.particle];
-            return row;
-        };
-        const Row error = row_of_largest(R), round_off = row_of_largest(sum);
-        if (error.R / most(error) > found.by_error.R / most(found.by_error)) found.by_error = error;
-        if (round_off.sum > found.by_round_off.sum) found.by_round_off = round_off;
-    };
-    look(D, 1, formulation.exact.first, first);
-    look(D2, 2, formulation.exact.second, second);
-    return found;
-}
-
-/// What is required of the rows of a formulation.
+/// What is required of the rows of a test.
 struct Required {
-    const Formulation<double>& formulation;
+    const Source& source;
     RowsOf rows;
     double unit;  ///< of round-off
 
     /// Whether the worst rows are far from what is refused.
     [[nodiscard]] bool holds_for(const Particles<double>& discrete) const {
         try {
-            const auto [error, round_off] = worst_rows(formulation, discrete, rows);
-            return error.R <= most(error) / 10 && unit * round_off.sum <= most_round_off / 10;
+            Worst found = worst(source, discrete, rows);
+            found.unit = unit;
+            return found.by_error.R <= most(found.by_error) / 10 && found.round_off() <= most_round_off / 10;
         } catch (const base::FailedComputation&) {
             return false;
         }
@@ -140,8 +106,9 @@ std::string finer_precision(const Row& row) {
 }
 
 /// "second_order_fpm: at particle 3 (x = 0.1) "
-std::string place(const Required& required, const Particles<double>& discrete, const Row& row) {
-    return std::string(required.formulation.name) + ": at particle " + std::to_string(row.particle) + " (" +
+std::string place(const Source& source, const Particles<double>& discrete, const Row& row) {
+    const auto& formulation = row.derivative == 1 ? source.first : source.second;
+    return std::string(formulation.name) + ": at particle " + std::to_string(row.particle) + " (" +
            particles::position_in_words(discrete.line, row.particle) + ") ";
 }
 
@@ -151,36 +118,28 @@ std::string name(const Row& row) {
 
 }  // namespace
 
-Column<double> spacing(const Particles<double>& discrete) {
+Worst worst(const Source& source, const Particles<double>& discrete, RowsOf rows) {
     const auto& [line, smoothing] = discrete;
-    if (!smoothing.ratio()) return particles::spacing(line, particles::Spacing::mean);
-    Column<double> delta(smoothing.is_local() ? line.size() : 1);
-    for (Index i = 0; i < delta.size(); ++i) delta[i] = smoothing.h(i) / *smoothing.ratio();
-    return delta;
+    particles::Operators<double> operators = source.second.operators(line, smoothing);
+    if (&source.first != &source.second) operators.D = source.first.operators(line, smoothing).D;
+    return worst(operators, source.exact(), discrete, rows);
 }
 
-Row worst(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows) {
-    return worst_rows(formulation, discrete, rows).by_error;
-}
-
-Row require(const Formulation<double>& formulation, const Particles<double>& discrete, RowsOf rows,
-            const Precision& precision) {
-    const Required required{formulation, rows, precision.unit};
-    const auto [error, round_off] = worst_rows(formulation, discrete, rows);
+base::FailedComputation refusal(const Worst& worst, const Source& source, const Particles<double>& discrete,
+                                RowsOf rows, bool finer) {
+    const Required required{source, rows, worst.unit};
+    const auto& error = worst.by_error;
+    const auto& round_off = worst.by_round_off;
     if (error.R > most(error))
-        throw base::FailedComputation(place(required, discrete, error) + "the error of " + name(error) +
-                                      " may reach R delta^" + std::to_string(error.p()) + " |B^(" +
-                                      std::to_string(error.exact + 1) + ")| with R = " + shown(error.R, 3) +
-                                      ", where " + shown(most(error)) + " is the most for a table; " +
-                                      remedy(required, discrete, error.particle));
-    if (precision.unit * round_off.sum > most_round_off)
-        throw base::FailedComputation(place(required, discrete, round_off) + "round-off of " +
-                                      name(round_off) + " may reach " +
-                                      shown(precision.unit * round_off.sum, 2) + " |B|, where " +
-                                      shown(most_round_off) + " is the most for a table; " +
-                                      remedy(required, discrete, round_off.particle,
-                                             precision.finer ? finer_precision(round_off) : ""));
-    return error;
+        return base::FailedComputation(place(source, discrete, error) + "the error of " + name(error) +
+                                       " may reach R delta^" + std::to_string(error.p()) + " |B^(" +
+                                       std::to_string(error.exact + 1) + ")| with R = " + shown(error.R, 3) +
+                                       ", where " + shown(most(error)) + " is the most for a table; " +
+                                       remedy(required, discrete, error.particle));
+    return base::FailedComputation(
+        place(source, discrete, round_off) + "round-off of " + name(round_off) + " may reach " +
+        shown(worst.round_off(), 2) + " |B|, where " + shown(most_round_off) + " is the most for a table; " +
+        remedy(required, discrete, round_off.particle, finer ? finer_precision(round_off) : ""));
 }
 
 }  // namespace asprone2010::quality

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "asprone2010/section_5_numerical_tests.hpp"
+#include "base/errors.hpp"
 #include "particles/quality.hpp"
 
 namespace asprone2010 {
@@ -30,25 +31,38 @@ namespace quality {
 
 /// The spacing δ of each particle's h/δ, in which R is measured; the mean spacing, where h was given as a
 /// length. One for all, or one for each. [length]
-Column<double> spacing(const numerical_tests::Particles<double>& discrete);
+template <class Scalar>
+Column<Scalar> spacing(const numerical_tests::Particles<Scalar>& discrete) {
+    const auto& [line, smoothing] = discrete;
+    if (!smoothing.ratio()) return particles::spacing(line, particles::Spacing::mean);
+    Column<Scalar> delta(smoothing.is_local() ? line.size() : 1);
+    for (Index i = 0; i < delta.size(); ++i) delta[i] = smoothing.h(i) / *smoothing.ratio();
+    return delta;
+}
 
-/// The rows of D and of D² that a test on N particles uses.
+/// The rows of D and of D² that a test on N particles uses, and whether it applies them to rounded values, so
+/// that round-off is multiplied by Σ|w|.
 struct Rows {
     particles::Range first, second;
+    bool rounded;
 };
 using RowsOf = Rows (*)(Index N);
 
 /// All: the derivatives are compared at each particle.
 inline Rows of_derivative_test(Index N) {
-    return {{0, N}, {0, N}};
+    return {{0, N}, {0, N}, true};
 }
-/// D² inside, and D at the last particle.
+/// D² inside, and D at the last particle. Its solution is corrected for residuals of exact differences.
 inline Rows of_static_test(Index N) {
-    return {{N - 1, N}, {1, N - 1}};
+    return {{N - 1, N}, {1, N - 1}, false};
 }
 /// D² inside.
 inline Rows of_vibration_test(Index N) {
-    return {{0, 0}, {1, N - 1}};
+    return {{0, 0}, {1, N - 1}, true};
+}
+/// D² inside, which is solved and not applied.
+inline Rows of_lowest_modes(Index N) {
+    return {{0, 0}, {1, N - 1}, false};
 }
 
 /// A row and how far it may err: its error is at most \f$R\,\delta^p\,\max|B^{(m+1)}|\f$.
@@ -70,27 +84,80 @@ inline double most(const Row& row) {
     return row.p() > 0 ? 1000 * std::pow(std::max(1.0, row.ratio), row.p()) : 100;
 }
 
-/// The most that round-off may contribute to a derivative, as a share of max |B|. A million particles at equal
-/// distances stay ten times below it in double precision; two particles 10⁻⁸ apart may not.
+/// The most that round-off may contribute to a derivative, as a share of max |B|. Three million particles at
+/// equal distances stay below it in double precision; two particles 10⁻⁸ apart may not.
 constexpr double most_round_off = 0.1;
 
-/// The round-off unit of a computation, and whether its user may choose a smaller one.
-struct Precision {
-    double unit = std::numeric_limits<double>::epsilon();
-    bool finer = false;
+/// The rows of a test that may err most.
+struct Worst {
+    Row by_error, by_round_off;  ///< with the largest R over most(), and the largest Σ|w|
+    double unit = std::numeric_limits<double>::epsilon();  ///< of round-off in the test
+
+    /// The share of max |B| that round-off may contribute.
+    [[nodiscard]] double round_off() const { return unit * by_round_off.sum; }
 };
 
-/// The worst of the rows of a formulation that a test uses, measured by R over most(). Errors as for
-/// Formulation::operators.
-Row worst(const Formulation<double>& formulation, const numerical_tests::Particles<double>& discrete,
-          RowsOf rows);
+/// Whether the worst rows are worth a table.
+inline bool worth_a_table(const Worst& worst) {
+    return worst.by_error.R <= most(worst.by_error) && worst.round_off() <= most_round_off;
+}
 
-/// \return the worst of the rows
-/// \throws base::FailedComputation where its R is larger than most(), or where round-off, the unit times Σ|w|
-///         of a row, is larger than most_round_off, naming the formulation, the particle, its position, the
-///         number, and what helps, after trying it
-Row require(const Formulation<double>& formulation, const numerical_tests::Particles<double>& discrete,
-            RowsOf rows, const Precision& precision = {});
+/// The worst of the rows that a test uses.
+/// \param exact the degrees up to which D and D² are exact
+template <class Scalar>
+Worst worst(const particles::Operators<Scalar>& operators, const Exactness& exact,
+            const numerical_tests::Particles<Scalar>& discrete, RowsOf rows) {
+    const auto& [line, smoothing] = discrete;
+    const Column<Scalar> delta = spacing(discrete), one = Column<Scalar>::Ones(1);
+    const auto ratio = static_cast<double>(smoothing.h() / delta.maxCoeff());
+    const Rows used = rows(line.size());
+    Worst found;
+    found.unit = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+    const auto look = [&, &line = line](const Operator<Scalar>& derivative, int k, int degree,
+                                        const particles::Range& some) {
+        if (some.size() <= 0) return;
+        // With m = -1, quality() is the sum of |w|.
+        const Column<Scalar> R = particles::quality(derivative, line, k, degree, delta),
+                             sum = particles::quality(derivative, line, 0, -1, one);
+        const auto row_of_largest = [&](const Column<Scalar>& of) {
+            Row row{0, 0, 0, k, degree, ratio};
+            of.segment(some.first, some.size()).maxCoeff(&row.particle);
+            row.particle += some.first;
+            row.R = static_cast<double>(R[row.particle]);
+            row.sum = static_cast<double>(sum[row.particle]);
+            return row;
+        };
+        const Row error = row_of_largest(R), round_off = row_of_largest(sum);
+        if (error.R / most(error) > found.by_error.R / most(found.by_error)) found.by_error = error;
+        if (used.rounded && round_off.sum > found.by_round_off.sum) found.by_round_off = round_off;
+    };
+    look(operators.D, 1, exact.first, used.first);
+    look(operators.D2, 2, exact.second, used.second);
+    return found;
+}
+
+// Compiled once: see formulations.hpp.
+extern template Worst worst(const particles::Operators<double>&, const Exactness&,
+                            const numerical_tests::Particles<double>&, RowsOf);
+extern template Worst worst(const particles::Operators<long double>&, const Exactness&,
+                            const numerical_tests::Particles<long double>&, RowsOf);
+
+/// The formulations from which a test has D and D²: one, or two.
+struct Source {
+    const Formulation<double>&first, &second;
+
+    [[nodiscard]] Exactness exact() const { return {first.exact.first, second.exact.second}; }
+};
+
+/// The worst rows of these formulations. Errors as for Formulation::operators.
+Worst worst(const Source& source, const numerical_tests::Particles<double>& discrete, RowsOf rows);
+
+/// Why the worst rows are not worth a table: the formulation, the particle, its position, R or the round-off,
+/// and what helps, after trying it.
+/// \param finer whether the test can be computed in a finer precision
+base::FailedComputation refusal(const Worst& worst, const Source& source,
+                                const numerical_tests::Particles<double>& discrete, RowsOf rows,
+                                bool finer = false);
 
 }  // namespace quality
 }  // namespace asprone2010

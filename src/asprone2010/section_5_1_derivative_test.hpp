@@ -43,15 +43,15 @@ struct Errors {
     std::optional<Scalar> first_interior, second_interior;  ///< empty where no particle is interior
 };
 
-/// The errors of a formulation on given particles. A particle is interior if its distance from both ends is
+/// The errors of the operators of given particles. A particle is interior if its distance from both ends is
 /// larger than the radius of the support. (The boundary influences operators applied twice over twice that
 /// distance.)
 template <class Scalar>
-Errors<Scalar> errors(const Formulation<Scalar>& formulation,
+Errors<Scalar> errors(const particles::Operators<Scalar>& operators,
                       const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact) {
     const auto& [line, smoothing] = discrete;
+    const auto& [D, D2] = operators;
     const Column<Scalar>& x = line.x();
-    const auto [D, D2] = formulation.operators(line, smoothing);
     const Column<Scalar> B = x.unaryExpr(exact.f);
     const Column<Scalar> first = (particles::apply(D, B) - x.unaryExpr(exact.Df)).abs();
     const Column<Scalar> second = (particles::apply(D2, B) - x.unaryExpr(exact.D2f)).abs();
@@ -70,11 +70,18 @@ Errors<Scalar> errors(const Formulation<Scalar>& formulation,
 }
 
 // Compiled once: see formulations.hpp.
-extern template Errors<double> errors(const Formulation<double>&, const numerical_tests::Particles<double>&,
-                                      const Smooth<double>&);
-extern template Errors<long double> errors(const Formulation<long double>&,
+extern template Errors<double> errors(const particles::Operators<double>&,
+                                      const numerical_tests::Particles<double>&, const Smooth<double>&);
+extern template Errors<long double> errors(const particles::Operators<long double>&,
                                            const numerical_tests::Particles<long double>&,
                                            const Smooth<long double>&);
+
+/// The errors of a formulation on given particles.
+template <class Scalar>
+Errors<Scalar> errors(const Formulation<Scalar>& formulation,
+                      const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact) {
+    return errors(formulation.operators(discrete.line, discrete.smoothing), discrete, exact);
+}
 
 }  // namespace derivative_test
 }  // namespace asprone2010

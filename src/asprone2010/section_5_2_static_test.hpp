@@ -93,17 +93,13 @@ inline constexpr int most_corrections = 10;
 /// double precision has an error of 1e-8 for N = 1e4 and of 1e-4 for N = 1e6. Solutions for the residual
 /// correct it, as long as each correction is less than half as large as the one before. The remaining error
 /// is that of the discretisation, down to 1e-12.
-/// \param end the formulation whose first derivative is imposed at the last particle
+/// \param operators D, of which the last row is imposed, and D²; their memory becomes the system's
 /// \param corrections largest number of corrections
 /// \throws base::FailedComputation where the system is singular
 template <class Scalar>
-Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
-                            const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact,
-                            int corrections = most_corrections) {
-    const auto& [line, smoothing] = discrete;
-    auto [D, D2] = formulation.operators(line, smoothing);
-    const Operator<Scalar> A =
-        system(std::move(D2), &end == &formulation ? D : end.operators(line, smoothing).D);
+Column<Scalar> displacement(particles::Operators<Scalar>&& operators, const Line<Scalar>& line,
+                            const Smooth<Scalar>& exact, int corrections = most_corrections) {
+    const Operator<Scalar> A = system(std::move(operators.D2), operators.D);
     const Column<Scalar> f = right_hand_side(line, exact);
     const solvers::BandedFactors<Scalar> factors(A);
     factors.require_regular();  // small corrections would not reveal a singular system
@@ -121,19 +117,35 @@ Column<Scalar> displacement(const Formulation<Scalar>& formulation, const Formul
 
 /// Infinity norm of the displacement's error.
 template <class Scalar>
-Scalar error(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
-             const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact,
+Scalar error(particles::Operators<Scalar>&& operators, const Line<Scalar>& line, const Smooth<Scalar>& exact,
              int corrections = most_corrections) {
-    const Column<Scalar> u = displacement(formulation, end, discrete, exact, corrections);
-    return numerical_tests::distance<Scalar>(u, discrete.line.x().unaryExpr(exact.f));
+    const Column<Scalar> u = displacement(std::move(operators), line, exact, corrections);
+    return numerical_tests::distance<Scalar>(u, line.x().unaryExpr(exact.f));
 }
 
 // Compiled once: see formulations.hpp.
-extern template double error(const Formulation<double>&, const Formulation<double>&,
-                             const numerical_tests::Particles<double>&, const Smooth<double>&, int);
-extern template long double error(const Formulation<long double>&, const Formulation<long double>&,
-                                  const numerical_tests::Particles<long double>&, const Smooth<long double>&,
-                                  int);
+extern template double error(particles::Operators<double>&&, const Line<double>&, const Smooth<double>&, int);
+extern template long double error(particles::Operators<long double>&&, const Line<long double>&,
+                                  const Smooth<long double>&, int);
+
+/// D² of a formulation, and D of another one, which is imposed at the last particle.
+template <class Scalar>
+particles::Operators<Scalar> operators(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
+                                       const numerical_tests::Particles<Scalar>& discrete) {
+    const auto& [line, smoothing] = discrete;
+    particles::Operators<Scalar> own = formulation.operators(line, smoothing);
+    if (&end != &formulation) own.D = end.operators(line, smoothing).D;
+    return own;
+}
+
+/// The error of a formulation.
+/// \param end the formulation whose first derivative is imposed at the last particle
+template <class Scalar>
+Scalar error(const Formulation<Scalar>& formulation, const Formulation<Scalar>& end,
+             const numerical_tests::Particles<Scalar>& discrete, const Smooth<Scalar>& exact,
+             int corrections = most_corrections) {
+    return error(operators(formulation, end, discrete), discrete.line, exact, corrections);
+}
 
 /// The same with the formulation's own derivative at the last particle, our choice.
 template <class Scalar>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -47,24 +48,54 @@ bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGa
     }
 }
 
+/// R of the derivatives of order k at a place; infinite where the particles do not determine them.
+template <int m, int dim>
+double quality_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
+                  const Point<dim>& x, double h, int k) {
+    const std::vector<int> around = cloud.around(x, kernel.rho() * h);
+    particles::Support<dim> support = support_at(cloud, kernel, x, h, around);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (support.particle.size() < static_cast<std::size_t>(terms<dim, m>)) return infinite;
+    try {
+        return quality(basis_on<m>(std::move(support), kernel, 1, Slopes::none), k);
+    } catch (const particles::SingularNeighbourhood&) {
+        return infinite;
+    }
+}
+
 /// The monomials as a remedy sees them. Their degree is not part of the type, so that remedies are compiled
 /// once for each dimension.
 template <int dim>
 struct Monomials {
     int degree;
     Index number;
-    /// Whether the particles within ρh of a place determine them: a function of ρ, h and the place.
-    std::function<bool(double, double, const Point<dim>&)> determined;
+    /// R of the derivatives of order k at a place: a function of ρ, h, the place and k.
+    std::function<double(double, double, const Point<dim>&, int)> quality;
 };
 
 /// The monomials of degree m of a cloud, which must outlive them.
 template <int m, int dim>
 Monomials<dim> monomials_of_degree(const particles::Cloud<dim>& cloud) {
-    return {m, terms<dim, m>, [&cloud](double rho, double h, const Point<dim>& x) {
-                return determined<m>(cloud, particles::TruncatedGaussian<dim>(rho), x, h,
-                                     cloud.around(x, rho * h));
+    return {m, terms<dim, m>, [&cloud](double rho, double h, const Point<dim>& x, int k) {
+                return quality_at<m>(cloud, particles::TruncatedGaussian<dim>(rho), x, h, k);
             }};
 }
+
+/// What a remedy must serve: a place, and with it all particles or none.
+template <int dim>
+struct Needs {
+    Point<dim> x;
+    double h;                                               ///< at the place [length]
+    int k = 0;                                              ///< order of the derivative there
+    Column<double> lengths{};                               ///< smoothing length of each particle
+    std::vector<int> derivative{};                          ///< order of the derivative of each particle
+    double most = std::numeric_limits<double>::infinity();  ///< R must be less
+
+    /// Order of the derivative of a particle; zero where none is said.
+    [[nodiscard]] int k_of(Index j) const {
+        return derivative.empty() ? 0 : derivative[static_cast<std::size_t>(j)];
+    }
+};
 
 /// The particles whose neighbours are the farthest, at most a thousand.
 std::vector<Index> loneliest(const Column<double>& distance) {
@@ -80,7 +111,7 @@ std::vector<Index> loneliest(const Column<double>& distance) {
 /// not enough.
 template <int dim>
 std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
-                             const Point<dim>& place) {
+                             const Needs<dim>& needs) {
     constexpr double graded = 4;  // the sides of stretched cells differ as much
     if (cloud.size() <= monomials.number) return "";
     const Column<double> to_nth = particles::spacing(cloud, particles::Spacing::to_nearest(monomials.number));
@@ -88,9 +119,10 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
     if (least > graded * to_nth.minCoeff()) return "";
     const std::vector<Index> hardest = loneliest(to_nth);
     const auto enough = [&](double h) {
-        return monomials.determined(rho, h, place) &&
-               std::all_of(hardest.begin(), hardest.end(),
-                           [&](Index j) { return monomials.determined(rho, h, cloud.x().col(j)); });
+        return monomials.quality(rho, h, needs.x, needs.k) < needs.most &&
+               std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
+                   return monomials.quality(rho, h, cloud.x().col(j), needs.k_of(j)) < needs.most;
+               });
     };
     for (double h = least; h < 2 * least; h *= 1.1) {
         const std::string shown = base::shown(1.005 * h, 3);  // rounded, but not down
@@ -99,59 +131,69 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
     return "";
 }
 
-/// "--smoothing-from 3-nearest": the smallest number of nearest particles whose distance is long enough, for a
-/// place and for the particles. Empty if none is found.
+/// "--smoothing-from 3-nearest": the smallest number of nearest particles whose distance is long enough. Empty
+/// if none is found.
 template <int dim>
 std::string nearest_remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
-                           const Point<dim>& place) {
+                           const Needs<dim>& needs) {
     const Column<double> to_nth =
         particles::spacing(cloud, particles::Spacing::to_nearest(monomials.number - 1));
     for (Index K = 2; K < monomials.number; ++K) {
         const Column<double> h = particles::spacing(cloud, particles::Spacing::to_nearest(K));
         const std::vector<Index> hardest = loneliest(to_nth / h);
-        if (monomials.determined(rho, h[cloud.nearest(place)], place) &&
-            std::all_of(hardest.begin(), hardest.end(),
-                        [&](Index j) { return monomials.determined(rho, h[j], cloud.x().col(j)); }))
+        if (monomials.quality(rho, h[cloud.nearest(needs.x)], needs.x, needs.k) < needs.most &&
+            std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
+                return monomials.quality(rho, h[j], cloud.x().col(j), needs.k_of(j)) < needs.most;
+            }))
             return "--smoothing-from " + std::to_string(K) + "-nearest";
     }
     return "";
 }
 
-/// "try --scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth.
-/// \param lengths the smoothing lengths of particles for which it is to be enough, too; or none
+/// "--scaling 2.5": the smallest of the larger scaling factors that is enough, in steps of a tenth; or empty.
 template <int dim>
-std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
-                   const Point<dim>& x, double h, const Column<double>& lengths) {
+std::string scaling_remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+                           const Needs<dim>& needs) {
     const Index n = monomials.number;
-    if (cloud.size() < n) return "take at least " + std::to_string(n) + " particles";
-    const std::string larger_h = smoothing_remedy(cloud, monomials, rho, x);
-    if (const std::string pair = particles::close_pair(cloud, cloud.nearest(x)); !pair.empty())
-        return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
-    Column<double> distance = (cloud.x().colwise() - x).colwise().norm().transpose();
+    Column<double> distance = (cloud.x().colwise() - needs.x).colwise().norm().transpose();
     std::nth_element(distance.begin(), distance.begin() + (n - 1), distance.end());
-    double needed = distance[n - 1] / h;
+    double needed = distance[n - 1] / needs.h;
     std::vector<Index> hardest;
-    if (lengths.size() > 0) {
+    if (needs.lengths.size() > 0) {
         const Column<double> of_each =
-            particles::spacing(cloud, particles::Spacing::to_nearest(n - 1)) / lengths;
+            particles::spacing(cloud, particles::Spacing::to_nearest(n - 1)) / needs.lengths;
         needed = std::max(needed, of_each.maxCoeff());
         hardest = loneliest(of_each);
     }
     const double reaching_n = std::floor(10 * needed * (1 + 1e-6) + 1);
     const double first = std::max(reaching_n, std::ceil(10 * rho + 5));
     const auto enough = [&](double scaling) {
-        return monomials.determined(scaling, h, x) &&
+        return monomials.quality(scaling, needs.h, needs.x, needs.k) < needs.most &&
                std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
-                   return monomials.determined(scaling, lengths[j], cloud.x().col(j));
+                   return monomials.quality(scaling, needs.lengths[j], cloud.x().col(j), needs.k_of(j)) <
+                          needs.most;
                });
     };
     for (int more = 0; more < 50; ++more) {
         const double scaling = (first + more) / 10;
-        if (enough(scaling))
-            return "try --scaling " + base::shown(scaling) + (larger_h.empty() ? "" : " or " + larger_h);
+        if (enough(scaling)) return "--scaling " + base::shown(scaling);
     }
-    if (!larger_h.empty()) return "try " + larger_h;
-    if (const std::string nearest = nearest_remedy(cloud, monomials, rho, x); !nearest.empty())
+    return "";
+}
+
+template <int dim>
+std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+                   const Needs<dim>& needs) {
+    const Point<dim>& x = needs.x;
+    if (cloud.size() < monomials.number)
+        return "take at least " + std::to_string(monomials.number) + " particles";
+    const std::string larger_h = smoothing_remedy(cloud, monomials, rho, needs);
+    if (const std::string pair = particles::close_pair(cloud, cloud.nearest(x)); !pair.empty())
+        return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
+    const std::string larger_rho = scaling_remedy(cloud, monomials, rho, needs);
+    const std::string both = larger_rho + (larger_rho.empty() || larger_h.empty() ? "" : " or ") + larger_h;
+    if (!both.empty()) return "try " + both;
+    if (const std::string nearest = nearest_remedy(cloud, monomials, rho, needs); !nearest.empty())
         return "try " + nearest;
     const bool far = ((x - cloud.x().rowwise().maxCoeff()).array() > cloud.spacing()).any() ||
                      ((cloud.x().rowwise().minCoeff() - x).array() > cloud.spacing()).any();
@@ -164,15 +206,43 @@ std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& mon
 /// \param why what is wrong with them, if there are enough
 template <int dim>
 base::FailedComputation refusal(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
-                                double rho, const Point<dim>& x, double h, std::size_t found,
-                                const std::string& why, const Column<double>& lengths = {}) {
+                                double rho, const Needs<dim>& needs, std::size_t found,
+                                const std::string& why) {
+    const auto [x, h] = std::pair(needs.x, needs.h);
     return base::FailedComputation(
         "ssph_basis: at " + particles::shown_point(x) +
         (found == 1 ? " there is 1 particle within "
                     : " there are " + std::to_string(found) + " particles within ") +
         base::shown(rho) + "h = " + base::shown(rho * h, 3) + " for the " + std::to_string(monomials.number) +
         " monomials of degree " + std::to_string(monomials.degree) + why + "; " +
-        remedy(cloud, monomials, rho, x, h, lengths));
+        remedy(cloud, monomials, rho, needs));
+}
+
+/// Refuses a place whose particles do not determine the monomials.
+template <int m, int dim>
+Basis<dim, m> basis_or_refusal(const particles::Cloud<dim>& cloud,
+                               const particles::TruncatedGaussian<dim>& kernel, const Needs<dim>& needs,
+                               const std::vector<int>& among, Slopes slopes) {
+    particles::Support<dim> support = support_at(cloud, kernel, needs.x, needs.h, among);
+    const std::size_t found = support.particle.size();
+    const auto refused = [&](const std::string& why) {
+        return refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs, found, why);
+    };
+    if (found < static_cast<std::size_t>(terms<dim, m>)) throw refused("");
+    try {
+        return basis_on<m>(std::move(support), kernel, needs.h, slopes);
+    } catch (const particles::SingularNeighbourhood& singular) {
+        throw refused(std::string(", which they do not determine: ") + singular.what());
+    }
+}
+
+/// ", and a second derivative from them may err by R h |D3f| with R = 2.3e+04, where 1000 is the most".
+std::string may_err(int k, int degree, double R) {
+    const int p = degree + 1 - k;
+    return std::string(", and a ") + (k == 1 ? "first" : "second") + " derivative from them may err by R h" +
+           (p == 1 ? "" : "^" + std::to_string(p)) + " |D" + std::to_string(degree + 1) +
+           "f| with R = " + base::shown(R, 3) + ", where " + base::shown(most) +
+           " is the most for a solution";
 }
 
 }  // namespace
@@ -180,17 +250,7 @@ base::FailedComputation refusal(const particles::Cloud<dim>& cloud, const Monomi
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h, const std::vector<int>& among, Slopes slopes) {
-    particles::Support<dim> support = support_at(cloud, kernel, x, h, among);
-    const std::size_t found = support.particle.size();
-    const auto refused = [&](const std::string& why) {
-        return refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), x, h, found, why);
-    };
-    if (found < static_cast<std::size_t>(terms<dim, m>)) throw refused("");
-    try {
-        return basis_on<m>(std::move(support), kernel, h, slopes);
-    } catch (const particles::SingularNeighbourhood& singular) {
-        throw refused(std::string(", which they do not determine: ") + singular.what());
-    }
+    return basis_or_refusal<m>(cloud, kernel, Needs<dim>{x, h}, among, slopes);
 }
 
 template <int m, int dim>
@@ -200,15 +260,27 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
 }
 
 template <int m, int dim>
-void require_particles(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Column<double>& h) {
+particles::WorstRow require_quality(const particles::Cloud<dim>& cloud,
+                                    const particles::TruncatedGaussian<dim>& kernel, const Column<double>& h,
+                                    const std::vector<int>& derivative) {
+    const auto k = [&](Index j) { return derivative[static_cast<std::size_t>(j)]; };
+    Column<double> R(cloud.size());
     base::for_each_index(cloud.size(), [&](Index j) {
-        const Point<dim> x = cloud.x().col(j);
-        const std::vector<int> around = cloud.around(x, kernel.rho() * h[j]);
-        const std::size_t found = support_at(cloud, kernel, x, h[j], around).particle.size();
-        if (found < static_cast<std::size_t>(terms<dim, m>))
-            throw refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), x, h[j], found, "", h);
+        R[j] = quality_at<m, dim>(cloud, kernel, cloud.x().col(j), h[j], k(j));
     });
+    const Index refused =
+        std::find_if(R.begin(), R.end(), [](double of) { return !(of <= most); }) - R.begin();
+    if (refused < R.size()) {
+        const Needs<dim> needs{cloud.x().col(refused), h[refused], k(refused), h, derivative, most / 10};
+        const auto around = cloud.around(needs.x, kernel.rho() * needs.h);
+        const auto basis = basis_or_refusal<m>(cloud, kernel, needs, around, Slopes::none);
+        throw refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs, basis.particle().size(),
+                      may_err(needs.k, m, R[refused]));
+    }
+    particles::WorstRow worst;
+    worst.R = R.maxCoeff(&worst.particle);
+    worst.derivative = k(worst.particle);
+    return worst;
 }
 
 template <int m, int dim>
@@ -230,8 +302,9 @@ std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
                                     const Point<dim>&, double, const std::vector<int>&, Slopes);            \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
                                     const Point<dim>&, double, Slopes);                                     \
-    template void require_particles<m>(const particles::Cloud<dim>&,                                        \
-                                       const particles::TruncatedGaussian<dim>&, const Column<double>&);    \
+    template particles::WorstRow require_quality<m>(const particles::Cloud<dim>&,                           \
+                                                    const particles::TruncatedGaussian<dim>&,               \
+                                                    const Column<double>&, const std::vector<int>&);        \
     template std::vector<int> nearest_that_determine<m>(                                                    \
         const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, Index, double, Index);
 BATRA2008_BASIS_AT(1, 1)

@@ -299,6 +299,8 @@ class Basis {
     Basis(Neighbourhood<Scalar, dim> near, std::vector<int> particle, Scalar h);
 
     [[nodiscard]] const std::vector<int>& particle() const { return particle_; }
+    /// Offsets of the particles, in units of h.
+    [[nodiscard]] const particles::Offsets<Scalar, dim>& r() const { return near_.r; }
     [[nodiscard]] Table<Scalar> K() const;
     [[nodiscard]] Column<Scalar> row(Index I) const;
     [[nodiscard]] Column<Scalar> DK(Index I, int axis) const;

@@ -170,22 +170,32 @@ System system_on(const std::vector<std::vector<int>>& near, const Problem& probl
     });
 }
 
+/// The order of the highest derivative in the equations of each particle: equilibrium has the second, a
+/// traction the first.
+inline std::vector<int> highest_derivatives(const Problem& problem, const Cloud<2>& cloud) {
+    std::vector<int> order;
+    for (Index I = 0; I < cloud.size(); ++I)
+        order.push_back(elastostatics::conditions_at(problem, cloud.x().col(I)).empty() ? 2 : 1);
+    return order;
+}
+
 /// The system; if it is large, with the same equations on the nearest particles, by the same kernel.
 /// \tparam m degree of the monomials, 2 or 3
 /// \param h smoothing length of each particle [length]
 /// \param small largest number of particles for which those equations are left out
 /// \throws base::InvalidInput as elastostatics::checked()
-/// \throws base::FailedComputation as ssph_basis::basis_at()
+/// \throws base::FailedComputation as ssph_basis::require_quality()
 template <int m>
 System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               Index small = solvers::small_system / 2) {
     problem = elastostatics::checked(std::move(problem), cloud);
-    ssph_basis::require_particles<m>(cloud, kernel, h);
+    const auto worst = ssph_basis::require_quality<m>(cloud, kernel, h, highest_derivatives(problem, cloud));
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
     base::for_each_index(cloud.size(), [&](Index I) {
         near[static_cast<std::size_t>(I)] = cloud.within(cloud.x().col(I), kernel.rho() * h[I]);
     });
     System system = system_on<m>(near, problem, cloud, kernel, h);
+    system.worst = worst;
     if (cloud.size() <= small) return system;
     const Index enough = solvers::enough_neighbours(2 * cloud.size(), ssph_basis::terms<2, m>);
     base::for_each_index(cloud.size(), [&](Index I) {

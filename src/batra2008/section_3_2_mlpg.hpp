@@ -424,12 +424,13 @@ struct WeakForm {
 /// \tparam m degree of the monomials, 1 to 3
 /// \param h smoothing length of each particle [length]
 /// \throws base::InvalidInput as elastostatics::checked()
-/// \throws base::FailedComputation as ssph_basis::basis_at()
+/// \throws base::FailedComputation as ssph_basis::require_quality(), and as ssph_basis::basis_at()
 template <int m>
 System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
               const WeakForm& form) {
     problem = elastostatics::checked(std::move(problem), cloud);
-    ssph_basis::require_particles<m>(cloud, kernel, h);
+    const auto worst = ssph_basis::require_quality<m>(
+        cloud, kernel, h, std::vector<int>(static_cast<std::size_t>(cloud.size()), 1));
     const particles::Region region = elastostatics::region(problem);
     const Eigen::Matrix3d D = elastostatics::D(problem.material);
     const Kernel test(form.test_scaling);
@@ -447,9 +448,11 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
         return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes};
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
-    return system(
+    System all = system(
         near, [&](Index I) { return stiffness(Omega(I), D, form.penalty, basis_near(I), T); },
         [&](Index I) { return load(Omega(I), problem.exact, form.penalty); });
+    all.worst = worst;
+    return all;
 }
 
 }  // namespace mlpg

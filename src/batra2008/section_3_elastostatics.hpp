@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "particles/boundary_particles.hpp"
 #include "particles/cloud.hpp"
+#include "particles/quality.hpp"
 #include "particles/region.hpp"
 #include "particles/region_check.hpp"
 #include "particles/truncated_gaussian.hpp"
@@ -258,6 +259,7 @@ struct System {
     Matrix A;
     Eigen::VectorXd b;
     Matrix nearest{};  ///< the same equations on the nearest particles, for solvers::iterated(); or no rows
+    particles::WorstRow worst{};  ///< of the derivatives at the particles
 };
 
 /// The displacements \f$u_1, u_2\f$ of each particle. [length]

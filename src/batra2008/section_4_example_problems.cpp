@@ -1,5 +1,6 @@
 #include "batra2008/section_4_example_problems.hpp"
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -19,6 +20,31 @@ auto with_degree(const Discretisation& how, const Work& work) {
     if (how.degree == 3) return work(std::integral_constant<int, 3>{});
     if (how.degree == 1) return work(std::integral_constant<int, 1>{});
     throw base::InvalidInput("monomials of degree 1, 2 or 3 are known, not " + std::to_string(how.degree));
+}
+
+/// Displacement and its gradient at a place.
+struct Field {
+    Vector u = Vector::Zero();
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< by the method's own first derivatives
+};
+
+Field field_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
+    const double h = solution.h[cloud.nearest(x)];
+    return with_degree(solution.how, [&](auto m) {
+        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h);
+        const Column<double> K1 = ssph_basis::K<1>(basis);
+        const auto [K2, K3] =
+            mlpg::gradient(basis, solution.how.method == Method::weak2 ? mlpg::Gradient::differentiated
+                                                                       : mlpg::Gradient::own_basis);
+        Field field;
+        for (std::size_t j = 0; j < basis.particle().size(); ++j) {
+            const auto at = static_cast<Index>(j);
+            const Vector u_J = solution.u.segment<2>(2 * basis.particle()[j]);
+            field.u += K1[at] * u_J;
+            field.gradient += u_J * Eigen::RowVector2d(K2[at], K3[at]);
+        }
+        return field;
+    });
 }
 
 }  // namespace
@@ -47,23 +73,18 @@ Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisati
 }
 
 State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
-    const double h = solution.h[cloud.nearest(x)];
-    return with_degree(solution.how, [&](auto m) -> State {
-        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h);
-        const Column<double> K1 = ssph_basis::K<1>(basis);
-        const auto [K2, K3] =
-            mlpg::gradient(basis, solution.how.method == Method::weak2 ? mlpg::Gradient::differentiated
-                                                                       : mlpg::Gradient::own_basis);
-        Vector u = Vector::Zero();
-        Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
-        for (std::size_t j = 0; j < basis.particle().size(); ++j) {
-            const auto at = static_cast<Index>(j);
-            const Vector u_J = solution.u.segment<2>(2 * basis.particle()[j]);
-            u += K1[at] * u_J;
-            gradient += u_J * Eigen::RowVector2d(K2[at], K3[at]);
-        }
-        return {u, elastostatics::stress(solution.material, elastostatics::strain(gradient))};
+    const auto [u, gradient] = field_at(cloud, solution, x);
+    return {u, elastostatics::stress(solution.material, elastostatics::strain(gradient))};
+}
+
+double noise(const Cloud<2>& cloud, const Solution& solution) {
+    Column<double> unseen(cloud.size()), gradient(cloud.size());
+    base::for_each_index(cloud.size(), [&](Index I) {
+        const Field field = field_at(cloud, solution, cloud.x().col(I));
+        unseen[I] = (solution.u.segment<2>(2 * I) - field.u).norm() / solution.h[I];
+        gradient[I] = field.gradient.norm();
     });
+    return unseen.maxCoeff() / std::sqrt(gradient.square().mean());
 }
 
 std::vector<MeshPoint> background_mesh(Index nx, Index ny, const elastostatics::FieldOf<Point<2>>& map,

@@ -32,25 +32,29 @@ void reset_peak() {
     std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-/// What a solution cost.
-struct Cost {
+/// What is told of a solution beside its errors.
+struct About {
     double assembly = 0, solution = 0;  ///< [s]
     double megabytes = 0;               ///< largest memory meanwhile
+    particles::WorstRow worst;          ///< of the derivatives at the particles
 };
 
 /// The solution of a problem, timed.
 example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
-                                  const example_problems::Discretisation& how, Cost& cost) {
+                                  const example_problems::Discretisation& how, About& about) {
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
     reset_peak();
     const auto start = Clock::now();
     System system = example_problems::system(problem, cloud, how);
     const auto assembled = Clock::now();
+    about.worst = system.worst;
     example_problems::Solution solution{how, problem.material,
                                         example_problems::smoothing_lengths(cloud, how),
                                         batra2008::solved(std::move(system))};
-    cost = {Seconds(assembled - start).count(), Seconds(Clock::now() - assembled).count(), peak()};
+    about.assembly = Seconds(assembled - start).count();
+    about.solution = Seconds(Clock::now() - assembled).count();
+    about.megabytes = peak();
     return solution;
 }
 
@@ -113,6 +117,9 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
         .type_name("FILE");
     app.add_flag("--seconds", options.seconds,
                  "add the seconds for assembly and solution, and the memory in MB");
+    app.add_flag(
+        "--quality", options.quality,
+        "add two columns: R of the worst derivative at a particle, which errs by at most R h^p times a derivative of the displacement; and noise, how much of the unknowns the field does not show, in strains");
     app.add_threads(options.threads);
     app.add_output(options.output);
     add_plot_option(app, options.figure);
@@ -139,6 +146,8 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                const std::function<double(const elastostatics::Material&)>& penalty) {
     if (options.seconds && !options.states.empty())
         throw InvalidInput("--seconds stand beside errors; leave --states out");
+    if (options.quality && !options.states.empty())
+        throw InvalidInput("--quality stands beside errors; leave --states out");
     check_apart({{"--output", options.output}, {"--field", options.field}});
     check_apart({{"--plot", options.figure.path}, {"--field", options.field}});
     const std::vector<std::string> methods = chosen("method", options.methods, {"strong", "weak1", "weak2"});
@@ -325,9 +334,11 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
     for (const auto& column : layout) table_.columns.push_back(column);
     for (const auto& column : options.states.empty() ? errors : state_columns(cases))
         table_.columns.push_back(column);
-    if (!options.seconds) return;
-    for (const char* name : {"seconds_assembly", "seconds_solution", "megabytes"})
-        table_.columns.push_back({name, {1e-2, 0}});
+    if (options.seconds)
+        for (const char* name : {"seconds_assembly", "seconds_solution", "megabytes"})
+            table_.columns.push_back({name, {1e-2, 0}});
+    if (options.quality)
+        for (const char* name : {"quality", "noise"}) table_.columns.push_back({name, {1e-4, 1e-6}});
 }
 
 void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Cloud<2>& cloud,
@@ -340,24 +351,42 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
     if (!options_.states.empty()) at = options_.states == "particles" ? places_at(cloud.x()) : places();
     sweep_.attempt(named, [&] {
         check_lengths(one.how.smoothing_from, options_.smoothing_from, cloud.size());
-        Cost cost;
-        const example_problems::Solution solution = solved(problem, cloud, one.how, cost);
+        About about;
+        const example_problems::Solution solution = solved(problem, cloud, one.how, about);
         const Solved found{problem, cloud, solution};
+        const double noise = example_problems::noise(cloud, solution);
+        warn_of(noise, one, cloud);
         Rows rows{named};
         if (!options_.states.empty()) {
             rows = state_rows(named, found, at);
         } else {
             for (const Cell& cell : errors(found)) rows[0].push_back(cell);
             if (options_.seconds)
-                rows[0].insert(rows[0].end(), {cost.assembly, cost.solution, cost.megabytes});
+                rows[0].insert(rows[0].end(), {about.assembly, about.solution, about.megabytes});
+            if (options_.quality) rows[0].insert(rows[0].end(), {about.worst.R, noise});
         }
         field_.add(one, found);
         return rows;
     });
 }
 
+void ExampleTable::warn_of(double noise, const ExampleCase& one, const Cloud<2>& cloud) {
+    if (!(noise > example_problems::most_noise)) return;
+    ++noisy_;
+    if (noise <= most_noise_) return;
+    most_noise_ = noise;
+    noisiest_ = example_problems::name(one.how.method) + ", " + std::to_string(cloud.size()) +
+                " particles, scaling " + base::shown(one.how.scaling);
+}
+
 report::Table ExampleTable::finished() {
     sweep_.finish();
+    if (noisy_ > 0)
+        table_.comments.push_back(
+            "noise: the unknowns alternate between neighbours, and stresses may be wrong, in " +
+            std::to_string(noisy_) + (noisy_ == 1 ? " case: " : " cases, most of all in: ") + noisiest_ +
+            " (noise " + base::shown(most_noise_, 3) + ", where " +
+            base::shown(example_problems::most_noise) + " is the most)");
     field_.write();
     return std::move(table_);
 }

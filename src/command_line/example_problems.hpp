@@ -21,7 +21,7 @@ struct ExampleOptions {
     std::string plane = "stress", smoothing_from = "nearest";
     std::string states, field;
     long points = 101;
-    bool seconds = false;
+    bool seconds = false, quality = false;
     int threads = 0;
     std::string output;
     Figure figure;  ///< the program sets the script, --plot the file
@@ -123,15 +123,21 @@ class ExampleTable {
     void add(const ExampleCase& one, const batra2008::Problem& problem, const batra2008::Cloud<2>& cloud,
              const std::vector<report::Cell>& layout, const Places& places, const Errors& errors);
 
-    /// The whole table; the file of `--field` is written with what could be solved.
+    /// The whole table, with a comment where solutions are noisy; the file of `--field` is written with what
+    /// could be solved.
     /// \throws as Sweep::finish()
     report::Table finished();
 
   private:
+    void warn_of(double noise, const ExampleCase& one, const batra2008::Cloud<2>& cloud);
+
     ExampleOptions options_;
     FieldFile field_;
     report::Table table_;
     Sweep sweep_;
+    long noisy_ = 0;  ///< number of cases
+    double most_noise_ = 0;
+    std::string noisiest_;  ///< the case of it
 };
 
 }  // namespace command_line

@@ -1,19 +1,19 @@
 #include "command_line/quality.hpp"
 
-#include <limits>
 #include <string>
 #include <tuple>
 
+#include "asprone2010/in_quad.hpp"
 #include "base/text.hpp"
 #include "command_line/formulations.hpp"
-#include "command_line/options.hpp"
 
 namespace command_line {
 
-using asprone2010::quality::Precision;
+using asprone2010::numerical_tests::Particles;
 using asprone2010::quality::Row;
 using asprone2010::quality::RowsOf;
 using base::shown;
+using particles::Operators;
 using report::Cell;
 
 void add_quality(CommandLine& app, Options& options) {
@@ -22,19 +22,24 @@ void add_quality(CommandLine& app, Options& options) {
         "add a column with R of the worst row: its error is at most R delta^p times a derivative of the function");
 }
 
-Row require_quality(const Options& options, const Case& one, RowsOf rows, const Precision& precision) {
-    return asprone2010::quality::require(formulation_named(one.formulation), line_of(options, one), rows,
-                                         precision);
+template <class Scalar>
+Row require_quality(const Options& options, const Case& one, const Particles<Scalar>& discrete,
+                    const Operators<Scalar>& operators, const Required& required) {
+    const auto& second = formulation_named(one.formulation);
+    const auto& first = required.end.empty() ? second : formulation_named(required.end);
+    const asprone2010::quality::Source source{first, second};
+    const auto worst = asprone2010::quality::worst(operators, source.exact(), discrete, required.rows);
+    if (!asprone2010::quality::worth_a_table(worst))
+        throw asprone2010::quality::refusal(worst, source, line_of(options, one), required.rows,
+                                            required.finer);
+    return worst.by_error;
 }
 
-std::vector<Cell> Quality::numbers(const Case& one, const std::function<std::vector<Cell>()>& compute) {
-    const double unit = in_precision(options_.precision, [](auto zero) {
-        return static_cast<double>(std::numeric_limits<decltype(zero)>::epsilon());
-    });
-    const Row worst = require_quality(options_, one, rows_, {unit, true});
-    std::vector<Cell> numbers = compute();
-    if (!options_.quality) return numbers;
-    numbers.emplace_back(worst.R);
+template <class Scalar>
+std::vector<Cell> Quality::cells(const Case& one, const Particles<Scalar>& discrete,
+                                 const Operators<Scalar>& operators, const std::string& end) {
+    const Row worst = require_quality(options_, one, discrete, operators, {rows_, end, true});
+    if (!options_.quality) return {};
     const auto key = [](const Row& of, const Case& asked) {  // the same on any number of threads
         return std::tuple(-of.R, asked.formulation, asked.particles, asked.perturbation, asked.seed);
     };
@@ -43,7 +48,7 @@ std::vector<Cell> Quality::numbers(const Case& one, const std::function<std::vec
         case_ = one;
         worst_ = worst;
     }
-    return numbers;
+    return {worst.R};
 }
 
 void Quality::add_column(report::Table& table) const {
@@ -60,5 +65,14 @@ void Quality::add_comment(report::Table& table) const {
         " at particle " + std::to_string(worst_.particle) + " of " + std::to_string(line.size()) + " (x = " +
         shown(line.x()[worst_.particle]) + ")" + (drawn ? ", seed " + std::to_string(case_->seed) : ""));
 }
+
+template Row require_quality(const Options&, const Case&, const Particles<double>&, const Operators<double>&,
+                             const Required&);
+template std::vector<Cell> Quality::cells(const Case&, const Particles<double>&, const Operators<double>&,
+                                          const std::string&);
+template std::vector<Cell> Quality::cells(const Case&, const Particles<long double>&,
+                                          const Operators<long double>&, const std::string&);
+template std::vector<Cell> Quality::cells(const Case&, const Particles<base::Quad>&,
+                                          const Operators<base::Quad>&, const std::string&);
 
 }  // namespace command_line

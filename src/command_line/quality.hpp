@@ -1,7 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "asprone2010/quality.hpp"
@@ -14,23 +14,35 @@ namespace command_line {
 /// Adds `--quality` to a numerical test.
 void add_quality(CommandLine& app, Options& options);
 
-/// \param precision that of the program
-/// \throws base::FailedComputation as asprone2010::quality::require(), for a case of one of formulations()
-asprone2010::quality::Row require_quality(const Options& options, const Case& one,
-                                          asprone2010::quality::RowsOf rows,
-                                          const asprone2010::quality::Precision& precision = {});
+/// What a test requires of its operators.
+struct Required {
+    asprone2010::quality::RowsOf rows;  ///< those that it uses
+    std::string end{};                  ///< the formulation of D, if it is another one
+    bool finer = false;                 ///< whether `--precision` can be asked for
+};
 
-/// Refuses cases that are not worth a table in the precision that was asked for, and shows with `--quality` how good the others are.
+/// \param discrete the particles of the case \param operators those of its formulation, as the test uses them
+/// \return the worst row \throws base::FailedComputation as asprone2010::quality::refusal()
+template <class Scalar>
+asprone2010::quality::Row require_quality(const Options& options, const Case& one,
+                                          const asprone2010::numerical_tests::Particles<Scalar>& discrete,
+                                          const particles::Operators<Scalar>& operators,
+                                          const Required& required);
+
+/// Refuses cases that are not worth a table, and shows with `--quality` how good the others are.
 class Quality {
   public:
     /// \param rows those that the test uses
     Quality(const Options& options, asprone2010::quality::RowsOf rows) : options_(options), rows_(rows) {}
 
-    /// The numbers of a case; with `--quality`, R of its worst row follows. Cases may come from several
-    /// threads.
+    /// Cases may come from several threads.
+    /// \return a cell with R of the case's worst row; without `--quality` none
     /// \throws base::FailedComputation as require_quality()
-    std::vector<report::Cell> numbers(const Case& one,
-                                      const std::function<std::vector<report::Cell>()>& compute);
+    template <class Scalar>
+    std::vector<report::Cell> cells(const Case& one,
+                                    const asprone2010::numerical_tests::Particles<Scalar>& discrete,
+                                    const particles::Operators<Scalar>& operators,
+                                    const std::string& end = "");
 
     /// The column of R, last of those that are measured.
     void add_column(report::Table& table) const;

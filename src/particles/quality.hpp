@@ -81,4 +81,11 @@ Column<Scalar> quality(const Operator<Scalar>& D, const Points& points, int deri
     return R;
 }
 
+/// The row that may err most.
+struct WorstRow {
+    double R = 0;
+    Index particle = 0;
+    int derivative = 0;  ///< k, the order of the derivative that the row approximates
+};
+
 }  // namespace particles

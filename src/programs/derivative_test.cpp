@@ -29,11 +29,17 @@ Cell cell(const std::optional<Scalar>& error) {
 }
 
 template <class Scalar>
-std::vector<Cell> errors(const Options& options, const Case& one, const base::Smooth<Scalar>& exact) {
-    const auto found = derivative_test::errors(command_line::formulation_named<Scalar>(one.formulation),
-                                               command_line::line_of<Scalar>(options, one), exact);
-    return {cell<Scalar>(found.first), cell<Scalar>(found.second), cell(found.first_interior),
-            cell(found.second_interior)};
+std::vector<Cell> errors(const Options& options, const Case& one, const base::Smooth<Scalar>& exact,
+                         command_line::Quality& worth) {
+    const auto discrete = command_line::line_of<Scalar>(options, one);
+    const auto operators =
+        command_line::formulation_named<Scalar>(one.formulation).operators(discrete.line, discrete.smoothing);
+    const std::vector<Cell> R = worth.cells(one, discrete, operators);
+    const auto found = derivative_test::errors(operators, discrete, exact);
+    std::vector<Cell> numbers{cell<Scalar>(found.first), cell<Scalar>(found.second),
+                              cell(found.first_interior), cell(found.second_interior)};
+    numbers.insert(numbers.end(), R.begin(), R.end());
+    return numbers;
 }
 
 report::Table table_of(const Options& options, const std::optional<std::string>& function) {
@@ -52,9 +58,8 @@ report::Table table_of(const Options& options, const std::optional<std::string>&
     worth.add_column(table);
     command_line::in_precision(options.precision, [&](auto zero) {
         const auto exact = exact_function<decltype(zero)>(function);
-        command_line::tabulate(table, options, [&](const Case& one) {
-            return worth.numbers(one, [&] { return errors(options, one, exact); });
-        });
+        command_line::tabulate(table, options,
+                               [&](const Case& one) { return errors(options, one, exact, worth); });
     });
     worth.add_comment(table);
     return table;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asprone2010/in_quad.hpp"
@@ -15,6 +16,7 @@ namespace {
 using namespace asprone2010;
 using command_line::Case;
 using command_line::formulation_named;
+using report::Cell;
 
 /// What this test can be asked beside what all numerical tests can.
 struct Options : command_line::Options {
@@ -31,11 +33,16 @@ base::Smooth<Scalar> exact_displacement(const std::optional<std::string>& text) 
 }
 
 template <class Scalar>
-double error(const Options& options, const Case& one, const base::Smooth<Scalar>& exact) {
+std::vector<Cell> error(const Options& options, const Case& one, const base::Smooth<Scalar>& exact,
+                        command_line::Quality& worth) {
     const std::string& end = options.end.empty() ? one.formulation : options.end;
-    return static_cast<double>(
-        static_test::error(formulation_named<Scalar>(one.formulation), formulation_named<Scalar>(end),
-                           command_line::line_of<Scalar>(options, one), exact, options.corrections));
+    const auto discrete = command_line::line_of<Scalar>(options, one);
+    auto operators = static_test::operators(formulation_named<Scalar>(one.formulation),
+                                            formulation_named<Scalar>(end), discrete);
+    std::vector<Cell> numbers = worth.cells(one, discrete, operators, end);
+    const Scalar found = static_test::error(std::move(operators), discrete.line, exact, options.corrections);
+    numbers.insert(numbers.begin(), static_cast<double>(found));
+    return numbers;
 }
 
 report::Table table_of(const Options& options) {
@@ -57,9 +64,8 @@ report::Table table_of(const Options& options) {
     worth.add_column(table);
     command_line::in_precision(options.precision, [&](auto zero) {
         const auto exact = exact_displacement<decltype(zero)>(options.displacement);
-        command_line::tabulate(table, options, [&](const Case& one) {
-            return worth.numbers(one, [&] { return std::vector<report::Cell>{error(options, one, exact)}; });
-        });
+        command_line::tabulate(table, options,
+                               [&](const Case& one) { return error(options, one, exact, worth); });
     });
     worth.add_comment(table);
     return table;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <complex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asprone2010/symbol.hpp"
@@ -72,13 +73,20 @@ std::vector<Cell> row(const Options& options, const Case& one, Index n, const st
     return cells;
 }
 
+/// D² of a case. \throws base::FailedComputation where it is not worth a table
+Operator<double> second_derivative(const Options& options, const Case& one,
+                                   const numerical_tests::Particles<double>& discrete) {
+    if (one.formulation == "fem_lumped") return vibration_test::lumped_second_derivative(discrete.line);
+    auto operators = formulation_named(one.formulation).operators(discrete.line, discrete.smoothing);
+    command_line::require_quality(
+        options, one, discrete, operators,
+        {options.lowest > 0 ? quality::of_lowest_modes : quality::of_vibration_test});
+    return std::move(operators.D2);
+}
+
 /// The lowest modes of a case, with their residuals.
 Rows lowest_modes(const Options& options, const Case& one) {
-    const bool lumped = one.formulation == "fem_lumped";
-    if (!lumped) command_line::require_quality(options, one, quality::of_vibration_test);
-    const auto [line, smoothing] = command_line::line_of(options, one);
-    const auto D2 = lumped ? vibration_test::lumped_second_derivative(line)
-                           : formulation_named(one.formulation).operators(line, smoothing).D2;
+    const auto D2 = second_derivative(options, one, command_line::line_of(options, one));
     Rows rows;
     Index n = 0;
     for (const vibration_test::Mode& mode : vibration_test::lowest_modes(D2, options.lowest))
@@ -92,8 +100,7 @@ std::vector<std::complex<double>> frequencies(const Options& options, const Case
         return vibration_test::finite_element_frequencies(discrete.line, Mass::lumped);
     if (one.formulation == "fem_consistent")
         return vibration_test::finite_element_frequencies(discrete.line, Mass::consistent);
-    command_line::require_quality(options, one, quality::of_vibration_test);
-    return vibration_test::frequencies(formulation_named(one.formulation), discrete);
+    return vibration_test::frequencies(vibration_test::stiffness(second_derivative(options, one, discrete)));
 }
 
 /// The ratios of the symbol of D²; empty for finite elements and for particles that do not lie on a lattice.

@@ -352,8 +352,8 @@ TEST_CASE("properties: operators and displacements have the same bytes on one, t
         const auto& formulation = formulations<double>()[seed % formulations<double>().size()];
         CAPTURE(formulation.name);
         const auto displacement = [&] {
-            return static_test::displacement<double>(second_order, second_order,
-                                                     {sample.line(), sample.smoothing()}, exact, 2);
+            return static_test::displacement(second_order.operators(sample.line(), sample.smoothing()),
+                                             sample.line(), exact, 2);
         };
         const auto alone = sample.operators(formulation);
         const Column<double> u = displacement();

@@ -184,3 +184,90 @@ TEST_CASE("basis_at: in one dimension m + 1 particles are needed and suffice") {
             CHECK_THROWS_AS(support::bases(m, x.leftCols(m), 3, Point<1>(0.5), 0.3), base::FailedComputation);
     }
 }
+
+namespace {
+
+/// A square grid of 5 × 5 particles, each moved at random by at most a part of the spacing.
+Cloud<2> nearly_a_grid(double part) {
+    return Cloud<2>(support::grid_points<2>(5) +
+                    part * 0.25 * (2 * support::random_points<2>(25, 3).array() - 1).matrix());
+}
+
+}  // namespace
+
+TEST_CASE(
+    "basis_at: R bounds the error of the derivatives of cubics, and does not depend on the unit of length") {
+    const Cloud<2> cloud = nearly_a_grid(0.3);
+    const Point<2> x = cloud.x().col(12);
+    for (const double unit : {1.0, 1000.0}) {
+        const Cloud<2> in_unit(unit * cloud.x());
+        const double h = 0.25 * unit;
+        const auto basis = ssph_basis::basis_at<2>(in_unit, TruncatedGaussian<2>(3), Point<2>(unit * x), h,
+                                                   ssph_basis::Slopes::none);
+        const auto in_units_of_h =
+            ssph_basis::basis_at<2>(Cloud<2>(cloud.x() / 0.25), TruncatedGaussian<2>(3), Point<2>(x / 0.25),
+                                    1, ssph_basis::Slopes::none);
+        for (const int k : {1, 2}) {
+            const double R = ssph_basis::quality(in_units_of_h, k);
+            for (int turn = 0; turn < 12;
+                 ++turn) {  // f = s^3 / 6 along a direction: its third derivative is 1
+                const double angle = turn * std::acos(-1.0) / 12;
+                const Point<2> along(std::cos(angle), std::sin(angle));
+                for (const auto& a : ssph_basis::monomials<2, 2>()) {
+                    if (ssph_basis::order<2>(a) != k) continue;
+                    const Column<double> w = ssph_basis::derivative(basis, a);
+                    double error = 0;
+                    for (Index j = 0; j < w.size(); ++j) {
+                        const double s = along.dot(
+                            in_unit.x().col(basis.particle()[static_cast<std::size_t>(j)]) - unit * x);
+                        error += w[j] * s * s * s / 6;
+                    }
+                    CHECK(std::abs(error) <= R * std::pow(h, 3 - k) * (1 + 1e-9));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("basis_at: on grids R is largest on a side, whatever their number of particles") {
+    for (const Index n : {5, 9, 17}) {
+        const Cloud<2> grid(support::grid_points<2>(n));
+        const Column<double> h = Column<double>::Constant(n * n, 1.0 / static_cast<double>(n - 1));
+        const auto row = ssph_basis::require_quality<2>(grid, TruncatedGaussian<2>(3), h,
+                                                        std::vector<int>(static_cast<std::size_t>(n * n), 2));
+        CHECK(row.derivative == 2);
+        const Point<2> x = grid.x().col(row.particle);
+        CHECK((x.minCoeff() == 0 || x.maxCoeff() == 1));
+        CHECK(row.R == support::relative(2.34045, 1e-5));
+    }
+}
+
+TEST_CASE(
+    "basis_at: where particles lie nearly on a conic R grows without bound, and a particle is refused with a remedy that works") {
+    // Two rows, which a conic describes, their particles aside by a part of the spacing; a third row far off.
+    const auto rows = [](double aside) {
+        Points<2> x(2, 36);
+        for (Index j = 0; j < 36; ++j) {
+            const auto k = static_cast<double>(j / 3);
+            x.col(j) << k, (j % 3 == 2 ? 3.2 : static_cast<double>(j % 3)) + aside * std::cos(3 * k);
+        }
+        return Cloud<2>(x);
+    };
+    const auto judged = [](const Cloud<2>& cloud, double rho) {
+        return ssph_basis::require_quality<2>(cloud, TruncatedGaussian<2>(rho), Column<double>::Ones(36),
+                                              std::vector<int>(36, 2))
+            .R;
+    };
+    const double R = judged(rows(0.1), 3.1);
+    CHECK(R < 1000);
+    CHECK(judged(rows(0.05), 3.1) > 1.8 * R);
+    const std::string why = refusal([&] { judged(rows(0.001), 3.1); });
+    CHECK(
+        why ==
+        "ssph_basis: at (0, 0.001) there are 7 particles within 3.1h = 3.1 for the 6 monomials of degree 2, and a second derivative from them may err by R h |D3f| with R = 1.18e+03, where 1000 is the most for a solution; try --scaling 3.6 or --smoothing-from 3.02");
+    const std::size_t remedy = why.find("; try --scaling ");
+    REQUIRE(remedy != std::string::npos);
+    CHECK(judged(rows(0.001), std::stod(why.substr(remedy + 16))) < 100);
+    CHECK_NOTHROW(ssph_basis::require_quality<2>(
+        rows(0.001), TruncatedGaussian<2>(3.1), Column<double>::Constant(36, 3.02), std::vector<int>(36, 2)));
+}

@@ -1,6 +1,7 @@
 #include "batra2008/section_4_example_problems.hpp"
 
 #include "batra2008/section_3_2_mlpg.hpp"
+#include "batra2008/section_4_2_hole.hpp"
 
 #include "tests/batra2008/elastic.hpp"
 
@@ -108,4 +109,33 @@ TEST_CASE("example_problems: each method solves with its own gradient, and shows
         CHECK((state_at(cloud, {how, field.material, cloud.apart(), u}, x).stress - stress).norm() <=
               1e-12 * stress.norm());
     }
+}
+
+TEST_CASE(
+    "example_problems: unknowns of a field of degree m have no noise; alternating ones are noise to a field of wide kernels") {
+    const support::PolynomialField field{{2e11, 0.3}};
+    const Cloud<2> cloud(support::moved_grid(16, 4, 0.1, 4));
+    Eigen::VectorXd smooth(2 * cloud.size()), alternating = Eigen::VectorXd::Zero(2 * cloud.size());
+    for (Index J = 0; J < cloud.size(); ++J) {
+        smooth.segment<2>(2 * J) = field.u(cloud.x().col(J));
+        alternating[2 * J] = J % 2 == 0 ? 1 : -1;
+    }
+    const Solution of_field{{Method::strong, 4}, field.material, cloud.apart(), smooth};
+    CHECK(noise(cloud, of_field) < 1e-10);
+    Solution scaled{{Method::strong, 4}, field.material, 3 * cloud.apart(), alternating};
+    CHECK(noise(cloud, scaled) > most_noise);
+    const double of_one = noise(cloud, scaled);
+    scaled.u *= 1000;
+    CHECK(noise(cloud, scaled) == support::relative(of_one, 1e-9));
+}
+
+TEST_CASE(
+    "example_problems: solutions by the paper's lengths have little noise; by six neighbours' they have much") {
+    const hole::Shape shape;
+    const Problem problem = hole::problem({hole::E, hole::nu, elastostatics::Plane::strain}, shape);
+    const Cloud<2> cloud(hole::graded_layout(shape, 188, 11, 1));
+    Discretisation how{Method::strong, 4};
+    CHECK(noise(cloud, solve(problem, cloud, how)) == support::relative(0.0744, 0.01));
+    how.smoothing_from = particles::Spacing::to_nearest(6);
+    CHECK(noise(cloud, solve(problem, cloud, how)) > 5);
 }

@@ -59,10 +59,11 @@ void add_asprone2010(long most) {
                      N >= 10000000},
                     [&formulation, N, corrections] {
                         return [&formulation, corrections, of = perturbed(N)] {
-                            benchmark::DoNotOptimize(static_test::displacement(
-                                                         formulation, formulation, *of,
-                                                         static_test::exponential_load<double>(), corrections)
-                                                         .data());
+                            benchmark::DoNotOptimize(
+                                static_test::displacement(formulation.operators(of->line, of->smoothing),
+                                                          of->line, static_test::exponential_load<double>(),
+                                                          corrections)
+                                    .data());
                         };
                     });
         }

@@ -95,3 +95,24 @@ TEST_CASE("example_problems: --seconds says what a solution took") {
     for (const char* name : {"seconds_assembly", "seconds_solution", "megabytes"})
         CHECK(std::get<double>(table.rows[0][table.column(name)]) > 0);
 }
+
+TEST_CASE("example_problems: --quality adds R of the worst derivative and the noise of the unknowns") {
+    const auto table = report::parsed(run("plate --method strong,weak1 --quality").output);
+    for (std::size_t row = 0; row < 2; ++row) {
+        CHECK(std::get<double>(table.rows[row][table.column("quality")]) ==
+              support::relative(1.594337, 1e-6));
+        CHECK(std::get<double>(table.rows[row][table.column("noise")]) < 0.1);
+    }
+    CHECK(run("plate --quality --states particles").code == 2);
+}
+
+TEST_CASE("example_problems: a table says which solutions are noise, and of others nothing") {
+    const std::string quiet = run("hole --method strong").output;
+    CHECK(quiet.find("# noise") == std::string::npos);
+    const std::string noisy =
+        run("hole --method strong,weak1 --smoothing-from 6-nearest --states x2-axis").output;
+    CHECK(
+        noisy.find(
+            "# noise: the unknowns alternate between neighbours, and stresses may be wrong, in 2 cases, most of all in: weak1, 188 particles, scaling 4 (noise ") !=
+        std::string::npos);
+}
