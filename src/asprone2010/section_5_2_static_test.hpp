@@ -115,6 +115,12 @@ Column<Scalar> displacement(particles::Operators<Scalar>&& operators, const Line
     return u;
 }
 
+// Compiled once: see formulations.hpp.
+extern template Column<double> displacement(particles::Operators<double>&&, const Line<double>&,
+                                            const Smooth<double>&, int);
+extern template Column<long double> displacement(particles::Operators<long double>&&,
+                                                 const Line<long double>&, const Smooth<long double>&, int);
+
 /// Infinity norm of the displacement's error.
 template <class Scalar>
 Scalar error(particles::Operators<Scalar>&& operators, const Line<Scalar>& line, const Smooth<Scalar>& exact,
@@ -122,11 +128,6 @@ Scalar error(particles::Operators<Scalar>&& operators, const Line<Scalar>& line,
     const Column<Scalar> u = displacement(std::move(operators), line, exact, corrections);
     return numerical_tests::distance<Scalar>(u, line.x().unaryExpr(exact.f));
 }
-
-// Compiled once: see formulations.hpp.
-extern template double error(particles::Operators<double>&&, const Line<double>&, const Smooth<double>&, int);
-extern template long double error(particles::Operators<long double>&&, const Line<long double>&,
-                                  const Smooth<long double>&, int);
 
 /// D² of a formulation, and D of another one, which is imposed at the last particle.
 template <class Scalar>

@@ -140,6 +140,11 @@ void add_median(CommandLine& app, Options& options) {
     app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
 }
 
+void add_states(CommandLine& app, Options& options) {
+    app.add_flag("--states", options.states,
+                 "what each particle holds, computed and exact, instead of the largest errors");
+}
+
 void add_precision(CommandLine& app, Options& options) {
     app.add_option(
            "--precision", options.precision,
@@ -267,6 +272,45 @@ void tabulate(report::Table& table, const Options& options,
     sweep.finish();
 }
 
+void tabulate_states(report::Table& table, const Options& options,
+                     const std::function<std::vector<std::vector<Cell>>(const Case&)>& compute) {
+    const std::vector<Case> all = cases(options);
+    const std::vector<report::ColumnHead> measured = table.columns;
+    table.columns = {{"formulation"}, {"particles"}, {"perturbation"}, {"seed"}};
+    Sweep sweep(table, table.columns.size());
+    table.columns.insert(table.columns.end(), {{"particle"}, {"x"}});
+    table.columns.insert(table.columns.end(), measured.begin(), measured.end());
+    double rows = 0;
+    for (const Case& one : all) rows += static_cast<double>(one.particles);
+    base::require_memory(base::shown(rows, 12) + " rows of --states",
+                         rows * static_cast<double>(table.columns.size()) * sizeof(Cell),
+                         "take fewer particles or cases");
+    for (const Case& one : all) {
+        const auto [perturbation, seed] = perturbation_and_seed(options, one);
+        const std::vector<Cell> named{one.formulation, static_cast<long>(one.particles), perturbation, seed};
+        sweep.attempt(named, [&] {
+            std::vector<std::vector<Cell>> states;
+            for (const std::vector<Cell>& numbers : compute(one)) {
+                std::vector<Cell> row = named;
+                row.emplace_back(static_cast<long>(states.size()));
+                row.insert(row.end(), numbers.begin(), numbers.end());
+                states.push_back(std::move(row));
+            }
+            return states;
+        });
+    }
+    sweep.finish();
+}
+
+report::Table errors_or_states(Options& options, const std::function<report::Table()>& errors,
+                               const std::function<report::Table()>& states, const std::string& script) {
+    const bool along_x = options.states || options.positions.size() > 0;
+    if (along_x) options.figure.script = script;
+    if (options.states) return states();
+    if (along_x && !options.figure.path.empty()) options.figure.table = states();
+    return errors();
+}
+
 std::vector<std::string> header_comments(const Options& options) {
     std::string equations;
     const auto& wanted = options.formulations;
@@ -286,6 +330,14 @@ std::vector<std::string> header_comments(const Options& options) {
 int run(CommandLine& app, int argc, char** argv, Options& options,
         const std::function<report::Table()>& compute) {
     return run(app, argc, argv, options.threads, options.output, options.figure, [&] {
+        if (options.states && (options.median || options.quality))
+            throw InvalidInput(std::string(options.median ? "--median" : "--quality") +
+                               " stands beside largest errors; leave --states out");
+        if (options.states && !options.figure.path.empty() &&
+            options.particles.size() * options.perturbations.size() * options.seeds > 1 &&
+            !options.positions_file)
+            throw InvalidInput(
+                "--states --plot draws errors along one line of particles; take one number of particles, one perturbation and one seed");
         if (!options.figure.path.empty() && options.seeds > 1 && !options.median)
             throw InvalidInput("--plot draws one line of particles for each N; take one seed" +
                                std::string(app.name() == "vibration_test" ? "" : ", or --median"));

@@ -31,6 +31,7 @@ struct Options {
     unsigned long seeds = 1;
     bool median = false;
     bool quality = false;
+    bool states = false;
     int threads = 0;
     std::string output;
     Figure figure;  ///< the program sets the script, --plot the file
@@ -45,6 +46,9 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
 
 /// Adds --median, for a program whose cases have one row each.
 void add_median(CommandLine& app, Options& options);
+
+/// Adds --states, for a program that knows what each particle holds.
+void add_states(CommandLine& app, Options& options);
 
 /// Adds --precision, for a program that computes in any.
 void add_precision(CommandLine& app, Options& options);
@@ -85,6 +89,18 @@ asprone2010::numerical_tests::Particles<Scalar> line_of(const Options& options, 
 /// \param compute the numbers of a case, one for each column of the table; an empty cell stays empty
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<report::Cell>(const Case&)>& compute);
+
+/// Adds rows for the particles of every case to the table, behind the columns formulation, particles,
+/// perturbation, seed, particle and x. Cases that fail keep a row, as Sweep says.
+/// \param compute a row for each particle of a case: x, and a number for each column of the table
+void tabulate_states(report::Table& table, const Options& options,
+                     const std::function<std::vector<std::vector<report::Cell>>(const Case&)>& compute);
+
+/// The table that is asked for: of largest errors, or with --states of each particle. Where positions come from
+/// a file, --plot draws the states, since the largest errors are one point.
+/// \param script of a figure of states
+report::Table errors_or_states(Options& options, const std::function<report::Table()>& errors,
+                               const std::function<report::Table()>& states, const std::string& script);
 
 /// Comments of the table: the equations of the formulations, and the options that all rows share.
 std::vector<std::string> header_comments(const Options& options);

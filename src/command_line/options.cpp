@@ -51,7 +51,7 @@ int run(CommandLine& app, int argc, char** argv, const int& threads, const std::
         if (threads > 0) omp_set_num_threads(threads);
         const report::Table table = compute();
         report::write_whole(output, report::csv(table));
-        if (drawn) plot(figure, without_failures(table));
+        if (drawn) plot(figure, without_failures(figure.table.value_or(table)));
         if (!table.incomplete.empty()) throw base::FailedComputation(table.incomplete);
         return 0;
     });

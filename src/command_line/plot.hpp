@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "command_line/command_line.hpp"
@@ -11,6 +12,7 @@ namespace command_line {
 struct Figure {
     std::string script;     ///< gnuplot's, below the folder figures/, such as asprone2010/figure_1.gp
     std::string path = {};  ///< the file to write; empty for none
+    std::optional<report::Table> table{};  ///< of the figure, if it is not the table that is written
 };
 
 /// `--plot`, added to a command line.
