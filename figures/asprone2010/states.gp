@@ -11,6 +11,6 @@ set format y "10^{%T}"
 set xrange [-0.01:1.01]
 set xlabel "x"
 set ylabel y_label
-set title heading() . parameters_below noenhanced font ",12"
+set title heading(comment(mark)) . parameters_below noenhanced font ",12"
 plot for [name in curves] table using (of(name) * column("x")):(size(y_column)) \
          with linespoints linestyle style(name) title title(name)

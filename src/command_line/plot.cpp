@@ -109,7 +109,7 @@ void add_plot_option(CommandLine& app, Figure& figure) {
 }
 
 void check_plot(const Figure& figure, const std::string& folder) {
-    const auto& [script, path] = figure;
+    const std::string &script = figure.script, &path = figure.path;
     if (path.empty()) return;
     if (!path.ends_with(".svg"))
         throw base::InvalidInput("--plot draws an SVG; '" + path + "' does not end in .svg");
@@ -120,7 +120,7 @@ void check_plot(const Figure& figure, const std::string& folder) {
 }
 
 void plot(const Figure& figure, const report::Table& table) {
-    const auto& [script, path] = figure;
+    const std::string &script = figure.script, &path = figure.path;
     if (path.empty()) return;
     const Uninterrupted while_drawing;
     const Temporary numbers(report::temporary_beside(path, ".csv")),

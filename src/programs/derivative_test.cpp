@@ -64,9 +64,9 @@ std::vector<std::vector<Cell>> states(const Options& options, const Case& one,
 }
 
 /// A table with its comments.
-report::Table begun(const Options& options, const std::string& about) {
+report::Table begun(const Options& options, std::vector<std::string> about) {
     report::Table table;
-    table.comments = {"Asprone et al. (2010), Section 5.1, Figure 1: " + about};
+    table.comments = std::move(about);
     for (const std::string& comment : command_line::header_comments(options))
         table.comments.push_back(comment);
     return table;
@@ -74,7 +74,9 @@ report::Table begun(const Options& options, const std::string& about) {
 
 report::Table states_of(const Options& options, const std::optional<std::string>& function) {
     report::Table table =
-        begun(options, "derivatives and their errors at each particle for B = " + function.value_or("exp"));
+        begun(options,
+              {"Asprone et al. (2010), Section 5.1: derivatives and their errors at each particle for B = " +
+               function.value_or("exp")});
     table.columns = {{"B"},
                      {"DB", {1e-6, 1e-12}},
                      {"DB_exact"},
@@ -91,11 +93,11 @@ report::Table states_of(const Options& options, const std::optional<std::string>
 }
 
 report::Table table_of(const Options& options, const std::optional<std::string>& function) {
-    report::Table table =
-        begun(options, "infinity norms of the errors of DB and D2B for B = " + function.value_or("exp"));
-    table.comments.insert(
-        table.comments.begin() + 1,
-        "interior: particles farther than the support's radius from both ends; empty where there are none");
+    report::Table table = begun(
+        options,
+        {"Asprone et al. (2010), Section 5.1, Figure 1: infinity norms of the errors of DB and D2B for B = " +
+             function.value_or("exp"),
+         "interior: particles farther than the support's radius from both ends; empty where there are none"});
     table.columns = {{"error_first", {1e-6, 1e-12}},
                      {"error_second", {1e-6, 2e-10}},
                      {"error_first_interior", {1e-6, 1e-12}},

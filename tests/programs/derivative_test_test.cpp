@@ -125,3 +125,65 @@ TEST_CASE("derivative_test, static_test, vibration_test: a row next to a zero of
                 " --formulation second_order_fpm --smoothing 2 --smoothing-from largest --positions " + file,
             1, "leave one of them out, or try --smoothing 2.2");
 }
+
+TEST_CASE(
+    "derivative_test: --states shows each particle, and its largest error is that of the table without") {
+    for (const std::string asked :
+         {"--formulation all --particles 12,30 --perturb 0.25 --seeds 2", "--particles 9 --precision long"}) {
+        const auto states = report::parsed(run("derivative_test --states " + asked).output),
+                   errors = report::parsed(run("derivative_test " + asked).output);
+        std::size_t at = 0;
+        for (std::size_t row = 0; row < errors.rows.size(); ++row) {
+            const auto N = std::stol(errors.word(row, "particles"));
+            for (const std::string error : {"error_first", "error_second"}) {
+                double largest = 0;
+                for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) {
+                    CHECK(states.word(at + i, "formulation") == errors.word(row, "formulation"));
+                    CHECK(states.word(at + i, "particle") == std::to_string(i));
+                    largest = std::max(largest,
+                                       std::abs(std::get<double>(states.rows[at + i][states.column(error)])));
+                }
+                CHECK(largest ==
+                      support::relative(std::get<double>(errors.rows[row][errors.column(error)]), 1e-6));
+            }
+            at += static_cast<std::size_t>(N);
+        }
+        CHECK(at == states.rows.size());
+    }
+}
+
+TEST_CASE("derivative_test: the largest error of the second derivative lies on the boundary") {
+    const auto states = report::parsed(
+        run("derivative_test --particles 100 --states --formulation chen_beraun,modified_fpm,second_order_fpm")
+            .output);
+    for (std::size_t first = 0; first < states.rows.size(); first += 100) {
+        std::size_t worst = first;
+        const auto error = [&](std::size_t row) {
+            return std::abs(std::get<double>(states.rows[row][states.column("error_second")]));
+        };
+        for (std::size_t row = first; row < first + 100; ++row)
+            if (error(row) > error(worst)) worst = row;
+        CHECK(states.word(worst, "particle") == "99");
+    }
+}
+
+TEST_CASE(
+    "derivative_test: --plot of positions from a file, and of --states, draws the error at each particle") {
+    const programs::Folder folder;
+    std::ofstream(folder.path + "/positions.txt") << "0\n0.05\n0.2\n0.3\n0.45\n0.6\n0.8\n1\n";
+    for (const std::string asked : {"--smoothing-from local --positions " + folder.path + "/positions.txt",
+                                    std::string("--particles 20 --states")}) {
+        const std::string figure = folder.path + "/figure.svg";
+        const auto outcome = run("derivative_test --formulation modified_fpm " + asked + " --plot " + figure);
+        CHECK(outcome.errors.empty());
+        std::ifstream svg(figure);
+        const std::string text{std::istreambuf_iterator<char>(svg), {}};
+        CHECK(text.find("error of D²B at each particle") != std::string::npos);
+    }
+    check_refused("derivative_test --states --median --seeds 2 --perturb 0.2",
+                  "--median stands beside largest errors; leave --states out");
+    check_refused("derivative_test --states --quality",
+                  "--quality stands beside largest errors; leave --states out");
+    check_refused("derivative_test --states --plot /tmp/figure.svg",
+                  "--states --plot draws errors along one line of particles");
+}

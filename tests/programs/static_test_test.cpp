@@ -64,3 +64,18 @@ TEST_CASE("static_test: in quad precision second_order_fpm keeps order two") {
     };
     CHECK(std::log(error(0) / error(1)) / std::log(9999.0 / 999) == support::relative(2, 0.0025));
 }
+
+TEST_CASE("static_test: --states shows each particle, and its largest error is that of the table without") {
+    const std::string asked = "--particles 25 --end modified_fpm --perturb 0.2 --displacement \"sin(3*x)\"";
+    const auto states = report::parsed(run("static_test --states " + asked).output),
+               errors = report::parsed(run("static_test " + asked).output);
+    REQUIRE(states.rows.size() == 25 * errors.rows.size());
+    for (std::size_t row = 0; row < errors.rows.size(); ++row) {
+        double largest = 0;
+        for (std::size_t i = 25 * row; i < 25 * (row + 1); ++i)
+            largest = std::max(
+                largest, std::abs(std::get<double>(states.rows[i][states.column("error_displacement")])));
+        CHECK(largest == support::relative(
+                             std::get<double>(errors.rows[row][errors.column("error_displacement")]), 1e-6));
+    }
+}
