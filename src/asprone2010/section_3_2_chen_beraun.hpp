@@ -9,6 +9,11 @@ namespace asprone2010 {
 /// The first-order expansion against \f$DW_i\f$ gives DB, the second-order one against \f$W_i\f$ gives D²B,
 /// which takes DB from the former.
 ///
+/// Why it holds inside and not at the boundary: the quotient \eq{A16} is exact on linear functions,
+/// everywhere. Of a quadratic it leaves 0 inside and \f$0.585\,\delta B''\f$ at an end, with h = δ. \eq{A20}
+/// divides that by δ: the second moment of its weights, \f$\sum_j w_j(x_j - x_i)^2/2\f$, which must be one,
+/// is 1.000 inside and -0.072 at an end.
+///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$DB(x_i),\ D^2B(x_i)\f$ | `DB_i`, `D2B_i` | derivatives at the particle, exact or approximated |

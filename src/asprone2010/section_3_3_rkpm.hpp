@@ -15,6 +15,11 @@ namespace asprone2010 {
 /// are zero. The discrete forms take moments as sums over particles, the integral forms by quadrature; both
 /// solve \f$M c = e_0\f$ with \f$M_{kl}\f$ the (k+l)-th moment of \f$W_i\f$.
 ///
+/// Why it fails, with either order: the conditions bind the moments of \f$K_i\f$, but \eq{A25} sums
+/// \f$DK_i\f$, of which nothing binds the moments. \f$\sum_j (x_j - x_i)\,DK_i V_j\f$, which must be minus
+/// one, is -0.98 inside and -0.17 at an end for the second order, -0.998 and -0.30 for the first, with h = δ.
+/// Integration by parts ties the two sets of moments together for integrals, and not for sums.
+///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$C_i\f$ | `correction<p...>` | polynomial with the exponents p of \f$(x-x_i)/h\f$ |

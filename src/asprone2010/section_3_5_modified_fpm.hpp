@@ -8,6 +8,10 @@ namespace asprone2010 {
 ///
 /// Where \f$B(x_i)\f$ is known, the two projections of the second-order expansion determine DB and D²B.
 ///
+/// Why it is of first order at the boundary: the system gives both derivatives of a quadratic, everywhere.
+/// The next moment of the weights of D²B, \f$\sum_j w_j(x_j - x_i)^3/6\f$, vanishes inside by symmetry and is
+/// \f$1.014\,\delta\f$ at an end, with h = δ.
+///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$A\f$ | `matrix` | first moments and half second moments of \f$W_i\f$ and \f$DW_i\f$ |

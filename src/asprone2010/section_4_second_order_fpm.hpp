@@ -15,6 +15,10 @@ namespace asprone2010 {
 /// exponents: a cubic without quadratic term. A quadratic polynomial would not do: inside, the odd moments of
 /// \f$W_i\f$ vanish, and two of the conditions would be the same.
 ///
+/// Why it is of second order everywhere: the third moment of the weights of D²B, which the modified FPM
+/// leaves as \f$1.014\,\delta\f$ at an end, is made zero, on half a neighbourhood too. The fourth is left,
+/// \f$0.126\,\delta^2\f$ inside and \f$-0.920\,\delta^2\f$ at an end, with h = δ.
+///
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$C_i,\ dC_i/ds\f$ | `correction`, `correction_derivative` | correction polynomial |

@@ -1,7 +1,10 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <complex>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,15 +65,30 @@ std::vector<Cell> named(const Options& options, const Case& one) {
     return {one.formulation, static_cast<long>(one.particles), perturbation, seed};
 }
 
-/// A row of the table: the case, the mode, its frequency beside the exact one, and what the last column
-/// holds.
-std::vector<Cell> row(const Options& options, const Case& one, Index n, const std::complex<double>& frequency,
-                      const Cell& last) {
-    const double exact = vibration_test::exact_frequency(n);
-    std::vector<Cell> cells = named(options, one);
-    cells.insert(cells.end(), {static_cast<long>(n), frequency.real(), frequency.imag(), exact,
-                               frequency.real() / exact, last});
-    return cells;
+/// Whether a displacement grows or decays, and does not vibrate: such a frequency belongs to no mode of the rod.
+bool has_no_real_part(const std::complex<double>& frequency) {
+    return frequency.real() <= 1e-9 * std::abs(frequency.imag());
+}
+
+/// A row for each frequency: the case, the mode, its frequency beside the exact one, and what the last column
+/// holds. Modes are counted by the real parts.
+/// \param last of a mode, from 1, and of the row, from 0
+Rows rows(const Options& options, const Case& one, const std::vector<std::complex<double>>& frequencies,
+          const std::function<Cell(Index, std::size_t)>& last) {
+    Rows all;
+    Index n = 0;
+    for (const std::complex<double>& frequency : frequencies) {
+        std::vector<Cell> cells = named(options, one);
+        if (has_no_real_part(frequency)) {
+            cells.insert(cells.end(), {Cell(), frequency.real(), frequency.imag(), Cell(), Cell(), Cell()});
+        } else {
+            const double exact = vibration_test::exact_frequency(++n);
+            cells.insert(cells.end(), {static_cast<long>(n), frequency.real(), frequency.imag(), exact,
+                                       frequency.real() / exact, last(n, all.size())});
+        }
+        all.push_back(std::move(cells));
+    }
+    return all;
 }
 
 /// D² of a case. \throws base::FailedComputation where it is not worth a table
@@ -86,12 +104,11 @@ Operator<double> second_derivative(const Options& options, const Case& one,
 
 /// The lowest modes of a case, with their residuals.
 Rows lowest_modes(const Options& options, const Case& one) {
-    const auto D2 = second_derivative(options, one, command_line::line_of(options, one));
-    Rows rows;
-    Index n = 0;
-    for (const vibration_test::Mode& mode : vibration_test::lowest_modes(D2, options.lowest))
-        rows.push_back(row(options, one, ++n, mode.frequency, mode.residual));
-    return rows;
+    const auto modes = vibration_test::lowest_modes(
+        second_derivative(options, one, command_line::line_of(options, one)), options.lowest);
+    std::vector<std::complex<double>> omega;
+    for (const vibration_test::Mode& mode : modes) omega.push_back(mode.frequency);
+    return rows(options, one, omega, [&](Index, std::size_t k) { return modes[k].residual; });
 }
 
 std::vector<std::complex<double>> frequencies(const Options& options, const Case& one) {
@@ -119,12 +136,34 @@ std::vector<Cell> symbol_ratios(const Options& options, const Case& one) {
 
 /// All modes of a case, beside the symbol's.
 Rows all_modes(const Options& options, const Case& one) {
-    const auto omega = frequencies(options, one);
     const auto ratios = symbol_ratios(options, one);
-    Rows rows;
-    for (std::size_t k = 0; k < omega.size(); ++k)
-        rows.push_back(row(options, one, static_cast<Index>(k + 1), omega[k], ratios[k]));
-    return rows;
+    return rows(options, one, frequencies(options, one),
+                [&](Index n, std::size_t) { return ratios[static_cast<std::size_t>(n - 1)]; });
+}
+
+/// "not real: fpm 4 of 98": for each case of which some frequencies have an imaginary part.
+std::string not_real(const report::Table& table) {
+    std::vector<std::pair<std::string, std::array<int, 2>>> cases;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const auto* imaginary = std::get_if<double>(&table.rows[row][table.column("frequency_imaginary")]);
+        if (imaginary == nullptr) continue;
+        std::string name =
+            table.word(row, "formulation") + ", " + table.word(row, "particles") + " particles";
+        if (const std::string seed = table.word(row, "seed");
+            table.word(row, "perturbation") != "0" && !seed.empty())
+            name += ", seed " + seed;
+        if (cases.empty() || cases.back().first != name) cases.push_back({name, {}});
+        auto& [some, all] = cases.back().second;
+        const double real = std::get<double>(table.rows[row][table.column("frequency")]);
+        some += std::abs(*imaginary) > 1e-9 * std::abs(real) ? 1 : 0;
+        ++all;
+    }
+    std::string words;
+    for (const auto& [name, counts] : cases)
+        if (counts[0] > 0)
+            words += (words.empty() ? "not real: " : "; ") + name + " " + std::to_string(counts[0]) + " of " +
+                     std::to_string(counts[1]);
+    return words;
 }
 
 report::Table table_of(const Options& options) {
@@ -154,6 +193,9 @@ report::Table table_of(const Options& options) {
          command_line::cases(options, all ? references : std::vector<std::string>{"fem_lumped"}))
         sweep.attempt(named(options, one), [&] { return (all ? all_modes : lowest_modes)(options, one); });
     sweep.finish();
+    if (const std::string words = not_real(table); !words.empty())
+        table.comments.push_back("frequencies that are " + words +
+                                 "; those without a real part belong to no mode");
     return table;
 }
 

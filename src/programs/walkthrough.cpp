@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "command_line/command_line.hpp"
 #include "report/file.hpp"
+#include "report/findings.hpp"
 #include "report/markdown.hpp"
 
 namespace {
@@ -36,23 +37,25 @@ void write_pages(const std::string& folder, const std::vector<Reproduction>& all
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Writes the generated pages of the walkthrough, the verdicts of README.md and the table of doc/reproduction.md. It runs in the top folder.",
+        "Writes the generated pages of the walkthrough, what was found into README.md and the walkthrough's first page, and the table of doc/reproduction.md. It runs in the top folder.",
         "walkthrough", "Example: walkthrough --pages build/doc/pages");
-    std::string pages, readme = "README.md", reproduction = "doc/reproduction.md";
+    std::string pages, readme = "README.md", first_page = "doc/walkthrough.md",
+                       reproduction = "doc/reproduction.md";
     bool write = false, check = false;
     app.add_option("--pages", pages, "folder to write the pages into").type_name("FOLDER");
-    app.add_option("--readme", readme, "the file with the verdicts in a sentence (default README.md)")
-        .type_name("FILE");
+    app.add_option("--readme", readme, "a file with what was found (default README.md)").type_name("FILE");
+    app.add_option("--first-page", first_page, "another one (default doc/walkthrough.md)").type_name("FILE");
     app.add_option("--reproduction", reproduction,
                    "the file with the table of the papers' items (default doc/reproduction.md)")
         .type_name("FILE");
-    app.add_flag("--write", write, "write the generated parts of these two files anew");
+    app.add_flag("--write", write, "write the generated parts of these files anew");
     app.add_flag("--check", check, "fail where a generated part is stale");
     return command_line::run(app, argc, argv, [&] {
         const std::vector<Reproduction> all = report::reproductions();
         if (!pages.empty()) write_pages(pages, all);
         if (!write && !check) return 0;
-        for (const Page& each : {page(readme, "sentence", report::sentence(all)),
+        const std::string found = report::with_numbers(report::read_whole("paper/findings.txt"), all);
+        for (const Page& each : {page(readme, "summary", found), page(first_page, "summary", found),
                                  page(reproduction, "table", report::items(all))}) {
             if (each.fresh == each.text) continue;
             if (!write) throw base::FailedComputation(each.path + " is stale; run make claims");

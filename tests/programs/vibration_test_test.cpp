@@ -60,3 +60,27 @@ TEST_CASE(
     programs::check_refused("vibration_test --formulation fem_consistent --lowest 3", 2,
                             "--lowest does not know fem_consistent; leave it out");
 }
+
+TEST_CASE(
+    "vibration_test: a frequency without a real part belongs to no mode, and a comment counts those that are not real") {
+    const programs::Folder folder;
+    std::ofstream(folder.path + "/own.txt") << "0\n0.01\n0.05\n0.1\n0.2\n0.3\n0.45\n0.6\n0.8\n0.9\n1\n";
+    const std::string output =
+        run("vibration_test --formulation second_order_fpm --smoothing-from largest --positions " +
+            folder.path + "/own.txt")
+            .output;
+    CHECK(
+        output.find(
+            "# frequencies that are not real: second_order_fpm, 11 particles 1 of 9; those without a real part belong to no mode\n") !=
+        std::string::npos);
+    const auto table = report::parsed(output);
+    CHECK(table.word(0, "frequency") == "0");
+    for (const char* column : {"mode", "exact", "ratio", "ratio_symbol"})
+        CHECK(table.word(0, column).empty());
+    CHECK(table.word(1, "mode") == "1");
+    CHECK(std::get<double>(table.rows[1][table.column("ratio")]) ==
+          support::relative(3.06637484 / std::acos(-1.0), 1e-6));
+    const std::string paper =
+        run("vibration_test --formulation second_order_fpm,modified_fpm --particles 30").output;
+    CHECK(paper.find("not real") == std::string::npos);
+}
