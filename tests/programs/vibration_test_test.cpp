@@ -1,3 +1,6 @@
+#include <cmath>
+#include <fstream>
+
 #include "command_line/formulations.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
