@@ -100,9 +100,8 @@ std::string remedy(const Required& required, const Particles<double>& discrete, 
 
 /// "--precision long": the first of the finer precisions in which round-off is small.
 std::string finer_precision(const Row& row) {
-    for (const auto& [name, unit] : {std::pair{"long", 0x1p-63}, std::pair{"quad", 0x1p-112}})
-        if (unit * row.sum <= most_round_off / 10) return std::string("--precision ") + name;
-    return "";
+    if (0x1p-63 * row.sum <= most_round_off / 10) return "--precision long";
+    return 0x1p-112 * row.sum <= most_round_off / 10 ? "--precision quad" : "";
 }
 
 /// "second_order_fpm: at particle 3 (x = 0.1) "

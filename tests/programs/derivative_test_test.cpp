@@ -128,7 +128,7 @@ TEST_CASE("derivative_test, static_test, vibration_test: a row next to a zero of
 
 TEST_CASE(
     "derivative_test: --states shows each particle, and its largest error is that of the table without") {
-    for (const std::string asked :
+    for (const std::string& asked :
          {"--formulation all --particles 12,30 --perturb 0.25 --seeds 2", "--particles 9 --precision long"}) {
         const auto states = report::parsed(run("derivative_test --states " + asked).output),
                    errors = report::parsed(run("derivative_test " + asked).output);
@@ -171,8 +171,8 @@ TEST_CASE(
     "derivative_test: --plot of positions from a file, and of --states, draws the error at each particle") {
     const programs::Folder folder;
     std::ofstream(folder.path + "/positions.txt") << "0\n0.05\n0.2\n0.3\n0.45\n0.6\n0.8\n1\n";
-    for (const std::string asked : {"--smoothing-from local --positions " + folder.path + "/positions.txt",
-                                    std::string("--particles 20 --states")}) {
+    for (const std::string& asked : {"--smoothing-from local --positions " + folder.path + "/positions.txt",
+                                     std::string("--particles 20 --states")}) {
         const std::string figure = folder.path + "/figure.svg";
         const auto outcome = run("derivative_test --formulation modified_fpm " + asked + " --plot " + figure);
         CHECK(outcome.errors.empty());
@@ -180,10 +180,14 @@ TEST_CASE(
         const std::string text{std::istreambuf_iterator<char>(svg), {}};
         CHECK(text.find("error of D²B at each particle") != std::string::npos);
     }
-    check_refused("derivative_test --states --median --seeds 2 --perturb 0.2",
-                  "--median stands beside largest errors; leave --states out");
-    check_refused("derivative_test --states --quality",
-                  "--quality stands beside largest errors; leave --states out");
-    check_refused("derivative_test --states --plot /tmp/figure.svg",
-                  "--states --plot draws errors along one line of particles");
+    for (const auto& [asked, why] :
+         {std::pair{"--states --median --seeds 2 --perturb 0.2",
+                    "--median stands beside largest errors; leave --states out"},
+          {"--states --quality", "--quality stands beside largest errors; leave --states out"},
+          {"--states --plot /tmp/figure.svg", "--states --plot draws errors along one line of particles"}}) {
+        const auto refused = run(std::string("derivative_test ") + asked);
+        CHECK(refused.code == 2);
+        CHECK(refused.output.empty());
+        CHECK(refused.errors.find(why) != std::string::npos);
+    }
 }
