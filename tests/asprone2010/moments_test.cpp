@@ -49,9 +49,10 @@ TEST_CASE("moments: those with which each section says why its formulation holds
                                     {"second_order_fpm", 2, 4, -0.920, 0.126}};
     for (const Index N : {41, 161}) {
         const auto discrete = support::particles_of(N);
-        for (const auto& [name, derivative, k, end, inside] : said) {
-            CAPTURE(name);
-            CAPTURE(k);
+        for (const Moments& row : said) {
+            CAPTURE(row.formulation);
+            CAPTURE(row.k);
+            const auto& [name, derivative, k, end, inside] = row;
             const auto [D, D2] = formulation_named<double>(name).operators(discrete.line, discrete.smoothing);
             const Operator<double>& rows = derivative == 1 ? D : D2;
             CHECK(std::abs(moment(rows, 0, derivative, k) - end) < 6e-4);

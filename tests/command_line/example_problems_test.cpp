@@ -40,10 +40,11 @@ for k in vertices:
     print(*mesh.points[k][:2], *u[k][:2], *exact[k][:2],
           *(mesh.point_data[name][k].item() for name in ("s11_weak1", "s22_weak1", "s12_weak1", "s12_exact")), sep=",")
 )");
-    const auto [code, output, errors] = run("/usr/bin/python3 " + field + ".py " + field + ".vtk");
-    CAPTURE(errors);
-    REQUIRE(code == 0);
-    const auto found = report::parsed(output), expected = report::parsed(report::read_whole(field + ".csv"));
+    const auto outcome = run("/usr/bin/python3 " + field + ".py " + field + ".vtk");
+    CAPTURE(outcome.errors);
+    REQUIRE(outcome.code == 0);
+    const auto found = report::parsed(outcome.output),
+               expected = report::parsed(report::read_whole(field + ".csv"));
     REQUIRE(found.rows.size() == expected.rows.size());
     for (std::size_t row = 0; row < found.rows.size(); ++row)
         for (const auto& column : found.columns) {

@@ -110,10 +110,11 @@ TEST_CASE("sweep: programs write what can be computed, name the case that cannot
              "\nstrong,9,4,,,2,0.33,strain,,polar-3x3,0.3,,,,,,,\"ssph", "; particles 9: ssph_basis: "}}) {
         const std::string tried = command;
         CAPTURE(tried);
-        const auto [code, output, errors] = run(command);
+        const auto outcome = run(command);
+        const std::string &output = outcome.output, &errors = outcome.errors;
         CAPTURE(output);
         CAPTURE(errors);
-        CHECK(code == 1);
+        CHECK(outcome.code == 1);
         CHECK(output.find(rows) != std::string::npos);
         CHECK(errors.find(message) != std::string::npos);
         CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
