@@ -128,8 +128,9 @@ TEST_CASE("derivative_test, static_test, vibration_test: a row next to a zero of
 
 TEST_CASE(
     "derivative_test: --states shows each particle, and its largest error is that of the table without") {
-    for (const std::string& asked :
+    for (const char* options :
          {"--formulation all --particles 12,30 --perturb 0.25 --seeds 2", "--particles 9 --precision long"}) {
+        const std::string asked = options;
         const auto states = report::parsed(run("derivative_test --states " + asked).output),
                    errors = report::parsed(run("derivative_test " + asked).output);
         std::size_t at = 0;
