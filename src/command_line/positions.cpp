@@ -65,9 +65,12 @@ Column<double> read_positions(const std::string& path, const std::vector<std::st
     const Columns file("--positions", path);
     if (file.rows().empty()) file.refuse(" holds no position");
     const std::size_t place = place_of_positions(file, columns);
-    if (const std::size_t count = file.rows().front().entries().size(); file.rows().size() == 1 && count > 2)
+    if (const std::size_t count = file.rows().front().entries().size();
+        file.rows().size() == 1 && count > 2) {
+        for (std::size_t k = 0; k < count; ++k) static_cast<void>(file.number(file.rows().front(), k));
         file.refuse(file.rows().front(), file.rows().front().text,
                     "has " + std::to_string(count) + " numbers; write each position on a line of its own");
+    }
     std::vector<double> x;
     std::string_view before;
     for (const Columns::Row& row : file.rows()) {

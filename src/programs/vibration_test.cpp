@@ -136,8 +136,9 @@ std::vector<Cell> symbol_ratios(const Options& options, const Case& one) {
 
 /// All modes of a case, beside the symbol's.
 Rows all_modes(const Options& options, const Case& one) {
+    const auto omega = frequencies(options, one);
     const auto ratios = symbol_ratios(options, one);
-    return rows(options, one, frequencies(options, one),
+    return rows(options, one, omega,
                 [&](Index n, std::size_t) { return ratios[static_cast<std::size_t>(n - 1)]; });
 }
 

@@ -88,7 +88,7 @@ TEST_CASE("example_problems: places on a line lie at equal distances, its ends a
     REQUIRE(places.size() == 4);
     CHECK(places[0][1] == 0.3);
     CHECK(places[1][1] == support::relative(1.2, 1e-15));
-    CHECK(places[3][1] == 3);
+    CHECK(places[3][1] == support::relative(3, 1e-15));
 }
 
 TEST_CASE("example_problems: --seconds says what a solution took") {
@@ -100,8 +100,7 @@ TEST_CASE("example_problems: --seconds says what a solution took") {
 TEST_CASE("example_problems: --quality adds R of the worst derivative and the noise of the unknowns") {
     const auto table = report::parsed(run("plate --method strong,weak1 --quality").output);
     for (std::size_t row = 0; row < 2; ++row) {
-        CHECK(std::get<double>(table.rows[row][table.column("quality")]) ==
-              support::relative(1.594337, 1e-6));
+        CHECK(std::get<double>(table.rows[row][table.column("quality")]) == support::relative(1.5943, 1e-4));
         CHECK(std::get<double>(table.rows[row][table.column("noise")]) < 0.1);
     }
     CHECK(run("plate --quality --states particles").code == 2);
