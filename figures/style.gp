@@ -44,7 +44,7 @@ set style line 10 linecolor rgb "#c0392b" dashtype (10,3,2,3,2,3) pointtype 14 p
 # Rows of one formulation; others are passed over. Curves that overlap carry their symbols at different rows, so that each
 # shows: marked(name, row, every) picks them.
 of(name) = strcol("formulation") eq name ? 1 : NaN
-marked(name, row, every) = (int(row) + 3 * style(name)) % every == 0 ? 1 : NaN
+marked(name, row, every) = row == row && (int(row) + 3 * style(name)) % every == 0 ? 1 : NaN
 
 # A triangle of slope −order in logarithmic axes, its right angle at the lower left of (N, e).
 # Use: eval(triangle(tag, N, e, factor, order))

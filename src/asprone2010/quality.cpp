@@ -63,7 +63,8 @@ std::string fewer_particles(const Required& required, const Particles<double>& d
     return required.holds_for(left_out(discrete, std::max(first, 1))) ? pair : "";
 }
 
-/// "--smoothing 2.2": of the larger and smaller smoothing lengths, in steps of a tenth, the closest that helps.
+/// "--smoothing 2.2": of the larger and smaller smoothing lengths, in steps of a tenth, the closest that
+/// helps.
 std::string other_smoothing(const Required& required, const Particles<double>& discrete) {
     const auto& [line, smoothing] = discrete;
     const double ratio = smoothing.ratio().value_or(1);
@@ -129,16 +130,18 @@ base::FailedComputation refusal(const Worst& worst, const Source& source, const 
     const Required required{source, rows, worst.unit};
     const auto& error = worst.by_error;
     const auto& round_off = worst.by_round_off;
-    if (error.R > most(error))
-        return base::FailedComputation(place(source, discrete, error) + "the error of " + name(error) +
-                                       " may reach R delta^" + std::to_string(error.p()) + " |B^(" +
-                                       std::to_string(error.exact + 1) + ")| with R = " + shown(error.R, 3) +
-                                       ", where " + shown(most(error)) + " is the most for a table; " +
-                                       remedy(required, discrete, error.particle));
-    return base::FailedComputation(
-        place(source, discrete, round_off) + "round-off of " + name(round_off) + " may reach " +
-        shown(worst.round_off(), 2) + " |B|, where " + shown(most_round_off) + " is the most for a table; " +
-        remedy(required, discrete, round_off.particle, finer ? finer_precision(round_off) : ""));
+    const std::string why =
+        error.R > most(error)
+            ? place(source, discrete, error) + "the error of " + name(error) + " may reach R delta^" +
+                  std::to_string(error.p()) + " |B^(" + std::to_string(error.exact + 1) +
+                  ")| with R = " + shown(error.R, 3) + ", where " + shown(most(error)) +
+                  " is the most for a table; " + remedy(required, discrete, error.particle)
+            : place(source, discrete, round_off) + "round-off of " + name(round_off) + " may reach " +
+                  shown(worst.round_off(), 2) + " |B|, where " + shown(most_round_off) +
+                  " is the most for a table; " +
+                  remedy(required, discrete, round_off.particle, finer ? finer_precision(round_off) : "");
+    base::FailedComputation refused(why);
+    return refused;
 }
 
 }  // namespace asprone2010::quality

@@ -44,7 +44,7 @@ Column<Scalar> spacing(const numerical_tests::Particles<Scalar>& discrete) {
 /// that round-off is multiplied by Σ|w|.
 struct Rows {
     particles::Range first, second;
-    bool rounded;
+    bool rounded = false;
 };
 using RowsOf = Rows (*)(Index N);
 

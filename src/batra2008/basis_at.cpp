@@ -131,8 +131,8 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
     return "";
 }
 
-/// "--smoothing-from 3-nearest": the smallest number of nearest particles whose distance is long enough. Empty
-/// if none is found.
+/// "--smoothing-from 3-nearest": the smallest number of nearest particles whose distance is long enough.
+/// Empty if none is found.
 template <int dim>
 std::string nearest_remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
                            const Needs<dim>& needs) {

@@ -9,8 +9,8 @@
 namespace command_line {
 
 /// A file of numbers in columns, between which are commas or blanks. # starts a comment; a first line that
-/// begins with a name is a header that names the columns, all or all but one that counts the rows. A comma may
-/// end a line, and entries may stand in quotes.
+/// begins with a name is a header that names the columns, all or all but one that counts the rows. A comma
+/// may end a line, and entries may stand in quotes.
 class Columns {
   public:
     /// A line that is neither blank nor a comment.
@@ -23,8 +23,8 @@ class Columns {
     };
 
     /// Reads a file. \param option that names the file, for messages
-    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas, semicolons, and a first
-    ///         line of names and numbers, each with what to do
+    /// \throws base::InvalidInput where it cannot be read; for UTF-16, decimal commas, semicolons, and a
+    ///         first line of names and numbers, each with what to do
     Columns(std::string option, std::string path);
     Columns(const Columns&) = delete;
     Columns& operator=(const Columns&) = delete;

@@ -141,8 +141,8 @@ bool fits(const Points<2>& x, const Region& region, double size) {
     }
 }
 
-/// "; try --snap 6.1e-08": the least distance that moves all particles that are astray onto the boundary. Empty
-/// if that leaves a particle astray, or moves one by more than half its distance to the next.
+/// "; try --snap 6.1e-08": the least distance that moves all particles that are astray onto the boundary.
+/// Empty if that leaves a particle astray, or moves one by more than half its distance to the next.
 std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size) {
     const Astray astray(cloud, region, size);
     double farthest = 0;

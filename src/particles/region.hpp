@@ -28,7 +28,8 @@ using Curve = std::variant<Segment, Arc>;
 /// A convex polygon with circular holes, which may cut its corners and sides.
 using Region = std::vector<Curve>;
 
-/// Share of a body's size below which a length counts as zero: positions may come from a file with ten digits.
+/// Share of a body's size below which a length counts as zero: positions may come from a file with ten
+/// digits.
 constexpr double negligible = 1e-8;
 
 /// A point of a quadrature rule over an area or along a boundary.

@@ -65,7 +65,8 @@ std::vector<Cell> named(const Options& options, const Case& one) {
     return {one.formulation, static_cast<long>(one.particles), perturbation, seed};
 }
 
-/// Whether a displacement grows or decays, and does not vibrate: such a frequency belongs to no mode of the rod.
+/// Whether a displacement grows or decays, and does not vibrate: such a frequency belongs to no mode of the
+/// rod.
 bool has_no_real_part(const std::complex<double>& frequency) {
     return frequency.real() <= 1e-9 * std::abs(frequency.imag());
 }
@@ -95,19 +96,20 @@ Rows rows(const Options& options, const Case& one, const std::vector<std::comple
 Operator<double> second_derivative(const Options& options, const Case& one,
                                    const numerical_tests::Particles<double>& discrete) {
     if (one.formulation == "fem_lumped") return vibration_test::lumped_second_derivative(discrete.line);
-    auto operators = formulation_named(one.formulation).operators(discrete.line, discrete.smoothing);
+    const auto operators = formulation_named(one.formulation).operators(discrete.line, discrete.smoothing);
     command_line::require_quality(
         options, one, discrete, operators,
         {options.lowest > 0 ? quality::of_lowest_modes : quality::of_vibration_test});
-    return std::move(operators.D2);
+    return operators.D2;
 }
 
 /// The lowest modes of a case, with their residuals.
 Rows lowest_modes(const Options& options, const Case& one) {
     const auto modes = vibration_test::lowest_modes(
         second_derivative(options, one, command_line::line_of(options, one)), options.lowest);
-    std::vector<std::complex<double>> omega;
-    for (const vibration_test::Mode& mode : modes) omega.push_back(mode.frequency);
+    std::vector<std::complex<double>> omega(modes.size());
+    std::transform(modes.begin(), modes.end(), omega.begin(),
+                   [](const vibration_test::Mode& mode) { return mode.frequency; });
     return rows(options, one, omega, [&](Index, std::size_t k) { return modes[k].residual; });
 }
 

@@ -15,20 +15,21 @@ using base::FailedComputation;
 Table empty_table(const Paper& paper) {
     const auto& [about, one, other] = paper.conventions;
     const Tolerance tolerance{1e-3, 1e-9};
-    return {{paper.citation + ": every testable statement, what was measured under both conventions of the " +
-                 about + ", and the verdict that follows",
-             "conditional: what a reading that adds a condition gives, " + about + " " + one.name +
-                 ", where the claim as it stands fails"},
-            {{"id"},
-             {"section"},
-             {"claim"},
-             {"quantity"},
-             {"statement"},
-             {"measured_" + one.name, tolerance},
-             {"measured_" + other.name, tolerance},
-             {"conditional", tolerance},
-             {"verdict"}},
-            {}};
+    return {
+        {paper.citation + ": every testable statement, what was measured under both conventions of the " +
+             about + ", and the verdict that follows",
+         "conditional: what the reading that the verdict names gives, else the first that adds a condition, " +
+             about + " " + one.name},
+        {{"id"},
+         {"section"},
+         {"claim"},
+         {"quantity"},
+         {"statement"},
+         {"measured_" + one.name, tolerance},
+         {"measured_" + other.name, tolerance},
+         {"conditional", tolerance},
+         {"verdict"}},
+        {}};
 }
 
 /// The number of a reading; empty where it was not measured or is not finite.
@@ -77,7 +78,8 @@ Table judged(const Table& claims, const Paper& paper, const Computations& comput
         const Statement stated = statement(claims, row);
         const auto with_one = measure(stated, 0), with_other = measure(stated, 1);
         table.rows.push_back({word("id"), word("section"), word("claim"), word("quantity"), shown(stated),
-                              number(with_one, 0), number(with_other, 0), number(with_one, 1),
+                              number(with_one, 0), number(with_other, 0),
+                              number(with_one, deciding_reading(stated, with_one, with_other)),
                               verdict(stated, paper.conventions, with_one, with_other)});
         after_each();
     }

@@ -43,6 +43,15 @@ struct Conventions {
     Convention one, other;
 };
 
+/// The reading with a condition that decides a claim: the first that fits under both conventions, else the
+/// first.
+inline std::size_t deciding_reading(const Statement& statement, const std::vector<Measurement>& one,
+                                    const std::vector<Measurement>& other) {
+    for (std::size_t k = 1; k < std::min(one.size(), other.size()); ++k)
+        if (fits(statement, one[k].value) && fits(statement, other[k].value)) return k;
+    return 1;
+}
+
 /// The verdict on a claim, from measurements under the one convention and under the other.
 /// The first measurement of each is of the claim as it stands; further ones are of readings that add a
 /// condition.
@@ -58,9 +67,10 @@ inline std::string verdict(const Statement& statement, const Conventions& conven
     if (with_one && with_other) return "reproduced";
     if (with_one) return "holds only if " + conventions.one.condition;
     if (with_other) return "holds only if " + conventions.other.condition;
-    for (std::size_t k = 1; k < std::min(one.size(), other.size()); ++k)
-        if (fits(statement, one[k].value) && fits(statement, other[k].value))
-            return "holds only if " + one[k].condition;
+    const std::size_t k = deciding_reading(statement, one, other);
+    if (k < std::min(one.size(), other.size()) && fits(statement, one[k].value) &&
+        fits(statement, other[k].value))
+        return "holds only if " + one[k].condition;
     return "differs";
 }
 

@@ -54,6 +54,15 @@ TEST_CASE(
     CHECK(table.word(1, "verdict") == "holds only if the nearest is taken");
 }
 
+TEST_CASE("ledger: the number of a condition is that of the reading which the verdict names") {
+    const Computation second = [](const Statement&, std::size_t) {
+        return std::vector<Measurement>{{"", 1}, {"it rains", 2}, {"the layout is polar", -3}};
+    };
+    const Table table = judged(claims("a,2,is below,a number,<,0,0\n"), paper, {{"a", second}}, [] {});
+    CHECK(table.word(0, "verdict") == "holds only if the layout is polar");
+    CHECK(table.word(0, "conditional") == "-3");
+}
+
 TEST_CASE("ledger: a claim without a computation is refused, and a computation without a claim") {
     const auto nothing = [] {};
     CHECK_THROWS_WITH_AS(judged(claims("a,2,is two,a number,=,2,0.1\n"), paper, {}, nothing),
