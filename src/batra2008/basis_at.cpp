@@ -106,6 +106,27 @@ std::vector<Index> loneliest(const Column<double>& distance) {
     return all;
 }
 
+/// Whether a choice of ρ and h serves a particle and, within h of it, the places on the way to the nearest
+/// others: there the weak forms and the user ask for the field.
+/// \param h smoothing length of each particle; a single one serves all
+template <int dim>
+bool serves(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+            const Column<double>& h, const Needs<dim>& needs, Index j) {
+    const auto h_of = [&](Index i) { return h[h.size() == 1 ? 0 : i]; };
+    const Point<dim> x = cloud.x().col(j);
+    if (!(monomials.quality(rho, h_of(j), x, needs.k_of(j)) < needs.most)) return false;
+    const Index neighbours = std::min<Index>(4 * dim, cloud.size() - 1);
+    const double near = 1.01 * particles::distance_to_nearest(cloud, j, neighbours);
+    const std::vector<int> around = cloud.within(x, near);
+    return std::all_of(around.begin(), around.end(), [&](int i) {
+        const Point<dim> to = cloud.x().col(i) - x;
+        const double within_h = h_of(j) / std::max(to.norm(), h_of(j));
+        for (const double part : {0.25, 0.5, 0.75, 1.0})
+            if (!(monomials.quality(rho, h_of(j), x + part * within_h * to, 0) < needs.most)) return false;
+        return true;
+    });
+}
+
 /// "--smoothing-from 0.053": one length for the whole cloud, with which each particle has as many neighbours
 /// as there are monomials. Empty if the cloud is graded, so that this is far too large for some, or if it is
 /// not enough.
@@ -121,7 +142,7 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
     const auto enough = [&](double h) {
         return monomials.quality(rho, h, needs.x, needs.k) < needs.most &&
                std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
-                   return monomials.quality(rho, h, cloud.x().col(j), needs.k_of(j)) < needs.most;
+                   return serves(cloud, monomials, rho, Column<double>::Constant(1, h), needs, j);
                });
     };
     for (double h = least; h < 2 * least; h *= 1.1) {
@@ -142,9 +163,8 @@ std::string nearest_remedy(const particles::Cloud<dim>& cloud, const Monomials<d
         const Column<double> h = particles::spacing(cloud, particles::Spacing::to_nearest(K));
         const std::vector<Index> hardest = loneliest(to_nth / h);
         if (monomials.quality(rho, h[cloud.nearest(needs.x)], needs.x, needs.k) < needs.most &&
-            std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
-                return monomials.quality(rho, h[j], cloud.x().col(j), needs.k_of(j)) < needs.most;
-            }))
+            std::all_of(hardest.begin(), hardest.end(),
+                        [&](Index j) { return serves(cloud, monomials, rho, h, needs, j); }))
             return "--smoothing-from " + std::to_string(K) + "-nearest";
     }
     return "";
@@ -170,8 +190,7 @@ std::string scaling_remedy(const particles::Cloud<dim>& cloud, const Monomials<d
     const auto enough = [&](double scaling) {
         return monomials.quality(scaling, needs.h, needs.x, needs.k) < needs.most &&
                std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
-                   return monomials.quality(scaling, needs.lengths[j], cloud.x().col(j), needs.k_of(j)) <
-                          needs.most;
+                   return serves(cloud, monomials, scaling, needs.lengths, needs, j);
                });
     };
     for (int more = 0; more < 50; ++more) {
@@ -219,18 +238,19 @@ base::FailedComputation refusal(const particles::Cloud<dim>& cloud, const Monomi
 }
 
 /// Refuses a place whose particles do not determine the monomials.
-template <int m, int dim>
+/// \param needs what the remedy must serve, formed where there is a refusal
+template <int m, int dim, class NeedsOf>
 Basis<dim, m> basis_or_refusal(const particles::Cloud<dim>& cloud,
-                               const particles::TruncatedGaussian<dim>& kernel, const Needs<dim>& needs,
-                               const std::vector<int>& among, Slopes slopes) {
-    particles::Support<dim> support = support_at(cloud, kernel, needs.x, needs.h, among);
+                               const particles::TruncatedGaussian<dim>& kernel, const Point<dim>& x, double h,
+                               const std::vector<int>& among, Slopes slopes, const NeedsOf& needs) {
+    particles::Support<dim> support = support_at(cloud, kernel, x, h, among);
     const std::size_t found = support.particle.size();
     const auto refused = [&](const std::string& why) {
-        return refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs, found, why);
+        return refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs(), found, why);
     };
     if (found < static_cast<std::size_t>(terms<dim, m>)) throw refused("");
     try {
-        return basis_on<m>(std::move(support), kernel, needs.h, slopes);
+        return basis_on<m>(std::move(support), kernel, h, slopes);
     } catch (const particles::SingularNeighbourhood& singular) {
         throw refused(std::string(", which they do not determine: ") + singular.what());
     }
@@ -249,14 +269,17 @@ std::string may_err(int k, int degree, double R) {
 
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, const std::vector<int>& among, Slopes slopes) {
-    return basis_or_refusal<m>(cloud, kernel, Needs<dim>{x, h}, among, slopes);
+                       const Point<dim>& x, double h, const std::vector<int>& among, Slopes slopes,
+                       const Column<double>& lengths) {
+    return basis_or_refusal<m>(cloud, kernel, x, h, among, slopes, [&] {
+        return Needs<dim>{x, h, 0, lengths};
+    });
 }
 
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, Slopes slopes) {
-    return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h), slopes);
+                       const Point<dim>& x, double h, Slopes slopes, const Column<double>& lengths) {
+    return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h), slopes, lengths);
 }
 
 template <int m, int dim>
@@ -273,7 +296,8 @@ particles::WorstRow require_quality(const particles::Cloud<dim>& cloud,
     if (refused < R.size()) {
         const Needs<dim> needs{cloud.x().col(refused), h[refused], k(refused), h, derivative, most / 10};
         const auto around = cloud.around(needs.x, kernel.rho() * needs.h);
-        const auto basis = basis_or_refusal<m>(cloud, kernel, needs, around, Slopes::none);
+        const auto basis =
+            basis_or_refusal<m>(cloud, kernel, needs.x, needs.h, around, Slopes::none, [&] { return needs; });
         throw refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs, basis.particle().size(),
                       may_err(needs.k, m, R[refused]));
     }
@@ -299,9 +323,10 @@ std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
 // The functions of this file for a dimension and a degree.
 #define BATRA2008_BASIS_AT(dim, m)                                                                          \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
-                                    const Point<dim>&, double, const std::vector<int>&, Slopes);            \
+                                    const Point<dim>&, double, const std::vector<int>&, Slopes,             \
+                                    const Column<double>&);                                                 \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
-                                    const Point<dim>&, double, Slopes);                                     \
+                                    const Point<dim>&, double, Slopes, const Column<double>&);              \
     template particles::WorstRow require_quality<m>(const particles::Cloud<dim>&,                           \
                                                     const particles::TruncatedGaussian<dim>&,               \
                                                     const Column<double>&, const std::vector<int>&);        \

@@ -16,17 +16,19 @@ enum class Slopes { none, known };
 
 /// The basis from some particles of a cloud.
 /// \param among numbers of the particles to choose from
+/// \param lengths smoothing length of each particle, which a remedy must serve, too; or none
 /// \throws base::FailedComputation if the particles do not determine the monomials, with the place, the
 ///         number of particles, the number of monomials and a remedy that works
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                        const Point<dim>& x, double h, const std::vector<int>& among,
-                       Slopes slopes = Slopes::known);
+                       Slopes slopes = Slopes::known, const Column<double>& lengths = {});
 
 /// The basis from all particles within the kernel's support.
 template <int m, int dim>
 Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
-                       const Point<dim>& x, double h, Slopes slopes = Slopes::known);
+                       const Point<dim>& x, double h, Slopes slopes = Slopes::known,
+                       const Column<double>& lengths = {});
 
 /// Largest R of a derivative that is worth a solution. The paper's cases stay below 4, grids with three
 /// particles on a side below 150.

@@ -296,9 +296,10 @@ struct Near {
     double h;                       ///< smoothing length [length]
     const std::vector<int>& among;  ///< in increasing order
     ssph_basis::Slopes slopes;      ///< known, if the values' basis functions will be differentiated
+    const Column<double>& lengths;  ///< smoothing length of each particle
 
     [[nodiscard]] ssph_basis::Basis<2, m> basis_at(const Point<2>& x) const {
-        return ssph_basis::basis_at<m>(cloud, kernel, x, h, among, slopes);
+        return ssph_basis::basis_at<m>(cloud, kernel, x, h, among, slopes, lengths);
     }
 };
 
@@ -445,7 +446,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
     const auto slopes =
         form.gradient == Gradient::differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none;
     const auto basis_near = [&](Index I) {
-        return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes};
+        return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes, h};
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
     System all = system(

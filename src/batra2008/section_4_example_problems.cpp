@@ -31,7 +31,8 @@ struct Field {
 Field field_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
     const double h = solution.h[cloud.nearest(x)];
     return with_degree(solution.how, [&](auto m) {
-        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h);
+        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h,
+                                                   ssph_basis::Slopes::known, solution.h);
         const Column<double> K1 = ssph_basis::K<1>(basis);
         const auto [K2, K3] =
             mlpg::gradient(basis, solution.how.method == Method::weak2 ? mlpg::Gradient::differentiated

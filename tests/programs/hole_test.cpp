@@ -96,3 +96,27 @@ TEST_CASE("hole: --snap moves the particles of layouts that the program makes, t
         programs::run("hole --method strong --layout graded-80-7 --snap 1e-6").output.find("graded-80-7: ") !=
         std::string::npos);
 }
+
+TEST_CASE(
+    "hole: each remedy for a scaling factor that is too small solves the case, between the particles too") {
+    int followed = 0;
+    for (const char* method : {"strong", "weak1", "weak2"})
+        for (const char* layout : {"polar-11x17", "graded-120-9"}) {
+            const std::string command =
+                std::string("hole --gauss 5 --method ") + method + " --layout " + layout;
+            const std::string why = run(command + " --scaling 1.5").errors;
+            CAPTURE(command);
+            CAPTURE(why);
+            for (const std::string& option : {std::string("--scaling "), std::string("--smoothing-from ")}) {
+                const std::size_t at = why.find(option, why.find("; "));
+                if (at == std::string::npos) continue;
+                std::string value = why.substr(at + option.size());
+                value = value.substr(0, value.find_first_of(" \n"));
+                const std::string remedy =
+                    option == "--scaling " ? " " + option + value : " --scaling 1.5 " + option + value;
+                ++followed;
+                CHECK(run(command + remedy).code == 0);
+            }
+        }
+    CHECK(followed >= 6);
+}
