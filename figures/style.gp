@@ -1,19 +1,25 @@
 # One look for every figure: the same formulation has the same colour, dash and symbol wherever it appears. Colours keep
 # apart in grey; dashes and symbols do without colour.
-# A figure's script loads this file, and is given the file to write as `output`.
+# A figure's script loads this file, and is given the file to write as `output`. Indices are letters of their own, as in x₁:
+# some programs drop a blank behind a lowered letter.
 if (!exists("output")) output = "figure.svg"
-set terminal svg size 900,540 font "Helvetica,14" background rgb "white" linewidth 1.2 dashlength 0.7
+# Pages show a picture as narrow as 400: letters of 14 on one of 640 to 720 are legible there.
+picture(width, height) = sprintf("set terminal svg size %d,%d font 'Helvetica,14' background rgb 'white' \
+    linewidth 1.2 dashlength 0.7", width, height)
+eval(picture(640, 520))
 set output output
 set datafile separator comma
 set datafile columnheaders
 set datafile missing NaN
 set encoding utf8
+set minussign
 
 set border 3 linecolor rgb "#444444"
 set tics nomirror textcolor rgb "#222222"
 set grid linecolor rgb "#dddddd" linewidth 0.6 dashtype 1
-set rmargin at screen 0.66
-set key at screen 0.68,0.52 left center Left reverse samplen 3.5 spacing 1.25
+set key below center vertical Left reverse maxrows 4 width -4 height 1 samplen 3.5 spacing 1.25
+# Below a title: what the print does not show.
+beyond(text) = "\n{/=12 Not in the print: " . text . ".}"
 
 names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent ssph"
 title_original          = "original SPH"
@@ -32,8 +38,8 @@ title(name) = value("title_" . name)
 style(name) = (words(substr(names, 1, strstrt(names, name))) + 0)
 set style line 1 linecolor rgb "#000000" dashtype 1       pointtype 4  pointsize 0.7 linewidth 1.3
 set style line 2 linecolor rgb "#b35900" dashtype (8,3)   pointtype 8  pointsize 0.8 linewidth 1.3
-set style line 3 linecolor rgb "#c77cb0" dashtype (2,2)   pointtype 6  pointsize 0.7 linewidth 1.6
-set style line 4 linecolor rgb "#e0a000" dashtype (8,3,2,3) pointtype 10 pointsize 0.8 linewidth 1.6
+set style line 3 linecolor rgb "#b8669f" dashtype (2,2)   pointtype 6  pointsize 0.7 linewidth 1.6
+set style line 4 linecolor rgb "#cf9400" dashtype (8,3,2,3) pointtype 10 pointsize 0.8 linewidth 1.6
 set style line 5 linecolor rgb "#7a6fb0" dashtype (3,2)   pointtype 1  pointsize 0.8 linewidth 1.3
 set style line 6 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize 0.9 linewidth 1.6
 set style line 7 linecolor rgb "#005a3c" dashtype 1       pointtype 7  pointsize 0.6 linewidth 2.0
@@ -61,13 +67,15 @@ methods = "strong weak1 weak2"
 set style line 11 linecolor rgb "#c8501e" dashtype (8,3)  pointtype 4  pointsize 0.8 linewidth 1.5
 set style line 12 linecolor rgb "#12507b" dashtype 1      pointtype 7  pointsize 0.7 linewidth 1.8
 set style line 13 linecolor rgb "#3aa078" dashtype (3,2)  pointtype 8  pointsize 0.9 linewidth 1.6
-set style line 14 linecolor rgb "#000000" dashtype 1      pointtype 2  pointsize 0.7 linewidth 1.0
+set style line 14 linecolor rgb "#c4c4c4" dashtype 1      linewidth 5  # a band on which the curves lie
+title_strong = "strong"; title_weak1 = "weak1"; title_weak2 = "weak2"
 method_style(name) = name eq "strong" ? 11 : name eq "weak1" ? 12 : name eq "weak2" ? 13 : 14
 method(name) = strcol("method") eq name ? 1 : NaN
+one_row = "set key maxrows 1 width -1 samplen 3"
 
-# Colours for a quantity that grows, and for one that has two signs: both grow evenly in lightness.
+# Colours for a quantity that grows, and for one that has two signs: in both, lightness says as much as colour.
 sequential = "set palette defined (0 '#fdf3d8', 0.25 '#e5b58a', 0.5 '#bf7772', 0.75 '#7d4273', 1 '#2a1e4f')"
-diverging = "set palette defined (-1 '#12406b', -0.5 '#6fa2cc', 0 '#f7f7f5', 0.5 '#dd9668', 1 '#7a2a0d')"
+diverging = "set palette defined (-1 '#0b2545', -0.5 '#35608f', 0 '#8f8f8b', 0.5 '#dcb46e', 1 '#fff6d5')"
 
 # A table of your own: gnuplot -e "table='FILE'; output='FILE'" figures/asprone2010/figure_1.gp. Without `table`
 # a script draws the paper's. A script that can draw more than the paper's case names the columns of its curves,
@@ -108,13 +116,24 @@ if (user && exists("y_column")) {
 parameters = comment("# kernel ")
 if (parameters eq "gaussian, h/delta 1, volumes equal") parameters = ""
 parameters_below = parameters eq "" ? "" : "\nkernel " . parameters
-# Whether a triangle lies within the data.
-holds(N, e, factor, order) = !user || (x_least <= N && N * factor <= x_most && y_least <= e && e * factor**order <= y_most)
+# In the key of a user's table: the order of each curve, minus the slope by least squares of log(e) against log(N). A
+# triangle could lie on another curve.
+# Use: eval(observe(name, "N", "e")), N and e columns' expressions, before axes have ranges; then titled(name).
+add(x, y) = x == x && y > 0 ? \
+    (n = n + 1, sx = sx + x, sy = sy + log(y), sxx = sxx + x * x, sxy = sxy + x * log(y), 0) : 0
+spread(n, sx, sxx) = n * sxx - sx * sx
+order(o) = ": order " . (o < -0.005 ? "−" : "") . sprintf("%.2f", abs(o))
+observe(name, N, e) = sprintf("n = 0; sx = 0.0; sy = 0.0; sxx = 0.0; sxy = 0.0; \
+    stats table using (add(log(%s), %s)) nooutput; \
+    order_%s = spread(n, sx, sxx) > 1e-6 * sxx ? order((sx * sy - n * sxy) / spread(n, sx, sxx)) : ''", N, e, name)
+titled(name) = title(name) . (exists("order_" . name) ? value("order_" . name) : "")
 decade_below(y) = 10**floor(log10(y) - 1e-9)
 decade_above(y) = 10**ceil(log10(y) + 1e-9)
 # Rows of a formulation with one perturbation; of particles from a file no perturbation is known.
 row(name, p) = of(name) * (p eq "" || strcol("perturbation") eq p ? 1 : NaN)
 moved_by(p) = p eq "" ? "particles of a file" : p eq "0" ? "uniform particles" : "particles perturbed by " . p . " δ"
+# A symbol at each of a few numbers of particles, at every fourth of many.
+symbols = user && words(values) < 13 ? 1 : 4
 # The numbers of particles N on an axis: all of a few, else the paper's and on in doublings.
 set_N = "set xrange [9:3000]; set xtics (10, '' 20, 40, '' 80, 160, '' 320, 640, '' 1280, 2560)"
 if (user) {

@@ -8,28 +8,35 @@ if (!exists("table")) table = "data/asprone2010/figure_1.csv"
 if (!user) {
     curves = "original rkpm_first_order rkpm_second_order chen_beraun fpm modified_fpm ssph second_order_fpm"
     perturbations = "0 0.25"
-    y_least = 2e-7; y_most = 9e3
+    y_least = 2e-8; y_most = 9e3
 }
 function = comment(" for B = ")
 if (function eq "") function = "exp"
 second = strstrt(curves, "second_order_fpm") > 0
 uniform(name) = row(name, word(perturbations, 1))
 moved(name) = row(name, word(perturbations, 2))
+if (user) {
+    do for [name in curves] { eval(observe(name, "uniform('" . name . "') * column('particles')", "column('error_second')")) }
+}
+eval(picture(640, 740))
 set logscale x
 eval(set_N)
 set xlabel "number of particles N"
 set multiplot
 
-heading = "Derivative test: error of D²B for B = " . function . " on [0, 1]" . parameters_below
-if (user) { set title heading noenhanced font ",12" } else { set title heading }
-set lmargin at screen 0.10; set tmargin at screen (parameters_below eq "" ? 0.92 : 0.89); set bmargin at screen 0.12
-set key at screen 0.68,0.92 left top
+heading = "Derivative test: error of D²B for B = " . function . " on [0, 1]"
+if (user) { set title heading . parameters_below noenhanced font ",12" }
+else { set title heading . beyond("FPM applied twice, SSPH, the small panel") }
+set lmargin at screen 0.13; set rmargin at screen 0.97; set tmargin at screen 0.91; set bmargin at screen 0.42
+set key at screen 0.03,0.335 left top maxrows 11 width 0 height 0
 set logscale y
 set yrange [decade_below(y_least):decade_above(y_most)]
 set format y "10^{%T}"
-set ylabel (function eq "exp" ? "max |D²B − e^x|" : "max |D²B − B″|")
-if (holds(400, 8e-4, 2.5, 1)) { eval(triangle(1, 400, 8e-4, 2.5, 1)) }
-if (holds(400, 1.5e-6, 2.5, 2)) { eval(triangle(2, 400, 1.5e-6, 2.5, 2)) }
+set ylabel (function eq "exp" ? "max |D²B − eˣ|" : "max |D²B − B″|")
+if (!user) {
+    eval(triangle(1, 400, 6e-4, 2.5, 1))
+    eval(triangle(2, 400, 8e-7, 2.5, 2))
+}
 moved_curves = second ? "second_order_fpm" : curves
 # An empty loop would draw once: what may be missing is a text.
 and_moved = words(perturbations) < 2 ? "" : ", for [name in moved_curves] \
@@ -37,24 +44,23 @@ and_moved = words(perturbations) < 2 ? "" : ", for [name in moved_curves] \
     with points linecolor rgb (second ? '#005a3c' : '#222222') pointtype 6 pointsize 1.1 \
     title user ? 'perturbed by ' . word(perturbations, 2) . ' δ' : 'the same, perturbed (median)'"
 plot for [name in curves] table using (uniform(name) * column("particles")):"error_second" \
-         with linespoints linestyle style(name) pointinterval 4 title title(name) @and_moved
+         with linespoints linestyle style(name) pointinterval symbols title titled(name) @and_moved
 
 unset object; unset label; unset logscale y; unset ylabel
-set lmargin at screen 0.72; set rmargin at screen 0.975; set tmargin at screen 0.42
-set key at graph 0.98,0.04 right bottom width -3 font ",11" samplen 2
+set lmargin at screen 0.62; set tmargin at screen 0.28; set bmargin at screen 0.09
+set key at graph 0.98,0.04 right bottom maxrows 3 width -2 height 0 font ",12" samplen 2 spacing 1.05
 set format y "%g"
-unset xlabel
 scaled(name) = column(name) / column("spacing")**2
 last(name) = row(name, word(perturbations, words(perturbations)))
 if (user) {
     set title "second-order FPM: error / δ²" font ",12"
     set yrange [0:*]
-    set xtics (x_least, x_most) font ",12"
+    set xtics (x_least, x_most)
 } else {
     set title "second-order FPM, δ/4: error / δ²" font ",12"
     set yrange [0:4]
     set ytics 1
-    set xtics (10, 160, 2560) font ",12"
+    set xtics (10, 160, 2560)
 }
 kind = user ? "linespoints" : "lines"  # a single N has no line
 quartiles = !has("error_second_lower") ? "" : "table using (last('second_order_fpm') * column('particles')): \

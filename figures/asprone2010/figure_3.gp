@@ -7,14 +7,16 @@ if (user) {
     set title "Vibration test: normalised spectrum, " . values . " particles" . parameters_below noenhanced font ",12"
 } else {
     table = "data/asprone2010/figure_3.csv"
-    set title "Vibration test: normalised spectrum, 100 particles"
-    set label "original, RKPM of first order and FPM overlap" at 0.10,0.30 textcolor rgb "#444444" font ",11"
-    set label "Chen–Beraun, modified and second-order FPM overlap" at 0.44,0.98 textcolor rgb "#444444" font ",11"
+    set title "Vibration test: normalised spectrum, 100 particles" . \
+        beyond("FPM applied twice, SSPH, the consistent mass, the symbols")
+    set label "Curves that lie on each other: Chen–Beraun, modified FPM, second-order FPM;\noriginal SPH, RKPM of first order, FPM." \
+        at 0.02,0.18 textcolor rgb "#444444" font ",12"
 }
+eval(picture(640, 640)); set key maxrows 6
 set xrange [0:1]
 set yrange [0:(user && y_most > 1.25 ? 1.05 * y_most : 1.3)]
 set xlabel "mode n / number of particles N"
-set ylabel "ω_n / (π n)"
+set ylabel "ωₙ / (π n)"
 if (!user) { curves = "fem_consistent fem_lumped chen_beraun modified_fpm second_order_fpm rkpm_second_order original rkpm_first_order fpm ssph" }
 every_mode = user && x_most < 50  # or a symbol at every sixteenth
 # The theory knows the formulations on a lattice; a table of your own may have none.

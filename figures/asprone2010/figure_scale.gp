@@ -7,11 +7,10 @@ set format x "10^{%T}"
 set format y "10^{%T}"
 set yrange [1e-13:1e-3]
 set xlabel "number of particles N"
-set ylabel "max |u − u_{exact}|"
-set title "Static test in double precision"
-set key at screen 0.67,0.52
+set ylabel "max |u − exact|"
+set title "Static test of the second-order FPM in double precision" . beyond("the whole figure")
 plot "data/asprone2010/scale_uncorrected.csv" using "particles":"error_displacement" with linespoints linestyle style("original") \
-         title "one solution", \
+         title "one solution of (45)", \
      "data/asprone2010/scale.csv" using "particles":"error_displacement" with linespoints linestyle style("second_order_fpm") \
-         title "corrected", \
-     [100:1.5e6] 0.1645 / x**2 with lines linecolor rgb "#888888" dashtype (4,4) title "0.1645 δ²: the discretisation"
+         title "corrected for its residual", \
+     [100:1.5e6] 0.1645 / x**2 with lines linecolor rgb "#666666" dashtype (4,4) title "discretisation: 0.1645 δ²"

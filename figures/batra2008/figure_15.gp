@@ -2,7 +2,7 @@
 # with 188 particles. Each row has its own colours, between minus and plus its largest deviation.
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_15.csv"
-set terminal svg size 900,1560 font "Helvetica,13" background rgb "white" linewidth 1.0
+eval(picture(720, 1260))
 first = system("awk -F, '!/^#/ { for (k = 1; k <= NF; ++k) if ($k == \"x1\") { print k; exit } }' " . table)
 # A block for each ray: x1, x2, and computed minus exact displacements in mm, or the exact ones. A ray ends where the radius falls.
 states(name) = sprintf("< awk -F, -v c=%s -v m=%s '/^#/ || !n++ { next } $1 == (m == \"exact\" ? \"weak1\" : m) \
@@ -19,16 +19,17 @@ do for [k = 1:4] {
     top = 0.945 - 0.235 * (k - 1)
     set tmargin at screen top; set bmargin at screen top - 0.205
     do for [component = 1:2] {
+        index = component == 1 ? "₁" : "₂"
         set xrange [*:*]; set yrange [*:*]
         stats states(name) using (column(2 + component)) nooutput
         set xrange [-0.05:3.05]; set yrange [-0.05:3.05]
         largest = abs(STATS_min) > STATS_max ? abs(STATS_min) : STATS_max
         if (name eq "exact") {
             eval(sequential); set cbrange [STATS_min:STATS_max]
-            set title sprintf("exact u_%d", component) offset 0,-0.7
+            set title sprintf("exact u%s", index) offset 0,-0.7
         } else {
             eval(diverging); set cbrange [-largest:largest]
-            set title sprintf("%s: u_%d − exact, at most %.3f mm", name, component, largest) offset 0,-0.7
+            set title sprintf("%s: u%s − exact, up to %.3f", name, index, largest) offset 0,-0.7
         }
         set lmargin at screen 0.03 + 0.49 * (component - 1); set rmargin at screen 0.38 + 0.49 * (component - 1)
         set colorbox user origin 0.40 + 0.49 * (component - 1), top - 0.195 size 0.018,0.185

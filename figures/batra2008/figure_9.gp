@@ -4,9 +4,12 @@ load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_9.csv"
 set title "Error against the scaling factor, 16 × 4 particles"
 set xlabel "scaling factor ρ"
-set ylabel "log_{10} E"
-set arrow from 3.5, graph 0 to 3.5, graph 1 nohead linecolor rgb "#888888" dashtype (4,4)
-set label "stable, says the print" at 3.55, graph 0.96 textcolor rgb "#666666" font ",11"
+set ylabel "log₁₀ of the error norm E, (4.4)"
+eval(one_row)
+if (!user || (x_least < 3.5 && x_most > 3.5)) {
+    set arrow from 3.5, graph 0 to 3.5, graph 1 nohead linecolor rgb "#888888" dashtype (4,4)
+    set label "stable from here on, says the print" at 3.55, graph 0.96 textcolor rgb "#444444" font ",12"
+}
 if (!user) { curves = methods } else { set title "Error of the plate against the scaling factor" }
 plot for [name in curves] table using (method(name) * column("scaling")):"log_error_dn" \
          with linespoints linestyle method_style(name) title name

@@ -43,7 +43,7 @@ namespace asprone2010 {
 /// for a support of 2h, h > δ for 3h), and two for the others that solve for both derivatives. For u the
 /// statements hold less widely. At equal distances second-order and modified FPM keep order 2, and
 /// Chen–Beraun order 1. Where D is applied twice, u has no order beyond h = 1.5 δ: its system is nearly
-/// singular, and singular in the white squares.
+/// singular, and singular in the crossed squares.
 ///
 /// \image html asprone2010_figure_orders.svg "Observed orders of the errors of DB, D²B and u: formulations, in each the five kernels, against h/δ."
 ///

@@ -54,6 +54,19 @@ TEST_CASE("plot: one formulation, one number of particles, particles of one kind
     drawn("vibration_test --particles 40 --formulation fem_lumped");
 }
 
+TEST_CASE("plot: the key says the order of each curve where there is more than one number of particles") {
+    const std::string two = " --formulation modified_fpm,second_order_fpm --particles 160,320";
+    const std::string derivative = drawn("derivative_test" + two), displacement = drawn("static_test" + two);
+    CHECK(holds(derivative, "modified FPM: order 1.0"));
+    CHECK(holds(derivative, "second-order FPM: order 2.0"));
+    CHECK(holds(displacement, "modified FPM: order 2.0"));
+    CHECK(holds(displacement, "second-order FPM: order 1.98"));
+    CHECK(holds(drawn("derivative_test --particles 160,320 --formulation original"),
+                "original SPH: order −1.0"));
+    CHECK(holds(drawn("plate --method strong,weak1 --particles 16x4,31x7"), "weak1: order 2."));
+    CHECK(!holds(drawn("static_test --particles 160"), ": order"));
+}
+
 TEST_CASE("plot: the title says the user's function and parameters, whatever the file is called") {
     const std::string own = drawn(
         "derivative_test --particles 37 --function 'sin(5*x)+x^2' --kernel quintic_spline --smoothing 1.5",
