@@ -15,7 +15,7 @@ set multiplot title "Displacement of the bottom edge on four grids" . beyond("th
 do for [k = 1:3] {
     name = word(methods, k)
     set lmargin at screen left(k); set rmargin at screen left(k) + 0.265
-    set tmargin at screen 0.87; set bmargin at screen 0.54
+    set tmargin at screen 0.86; set bmargin at screen 0.53
     set title name offset 0,-0.5
     unset xlabel; set format x ""
     set ylabel (k == 1 ? "u₂ in mm" : "")

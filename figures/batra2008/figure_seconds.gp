@@ -9,7 +9,7 @@ set format x "10^{%T}"; set format y "10^{%T}"
 set xlabel "number of particles"
 
 set multiplot title "Cost of the three methods, m = 2, two threads" . beyond("the whole figure")
-set key at screen 0.03,0.20 left top maxrows 3 width -3.5
+set key at screen 0.03,0.20 left top maxrows 3 width -3
 set lmargin at screen 0.11; set rmargin at screen 0.50
 set bmargin at screen 0.36; set tmargin at screen 0.84
 set yrange [1e-3:100]
