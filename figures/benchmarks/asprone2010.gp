@@ -12,7 +12,7 @@ limit = "linecolor rgb '#888888' dashtype (2,3) linewidth 2"
 
 top(k) = 0.96 - 0.24 * (k - 1)
 place(k) = sprintf("set tmargin at screen %g; set bmargin at screen %g; set key at screen 0.60,%g left top", top(k), top(k) - 0.17, top(k))
-set key maxrows 8 width 0 samplen 3 spacing 1.25 height 0
+set key maxrows 8 width 0 samplen 3 spacing 1.05 height 0
 set lmargin at screen 0.12; set rmargin at screen 0.58
 set multiplot
 eval(place(1))

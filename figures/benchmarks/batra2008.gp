@@ -5,7 +5,6 @@ eval(picture(720, 620))
 set logscale xy
 set xrange [600:1.6e5]
 set format x "10^{%T}"
-set xlabel "number of particles"
 row(task, method, threads) = strcol("task") eq task && strcol("method") eq method && column("threads") == threads ? column("particles") : NaN
 set key maxrows 6 width 0 samplen 3 spacing 1.25 height 0
 set lmargin at screen 0.12; set rmargin at screen 0.62
@@ -26,6 +25,7 @@ plot table using (row("basis", "m = 2", 1)):(column("nanoseconds") / 1000) with 
 
 set bmargin at screen 0.11; set tmargin at screen 0.46
 set title "plate, two threads"
+set xlabel "number of particles"
 set ylabel "seconds"
 set yrange [1e-3:1000]
 set format y "10^{%T}"
