@@ -27,7 +27,7 @@ set multiplot
 heading = "Derivative test: error of D²B for B = " . function . " on [0, 1]"
 if (user) { set title heading . parameters_below noenhanced font ",12" }
 else { set title heading . beyond("FPM applied twice, SSPH, the small panel") }
-set lmargin at screen 0.13; set rmargin at screen 0.97; set tmargin at screen 0.91; set bmargin at screen 0.42
+set lmargin at screen 0.14; set rmargin at screen 0.97; set tmargin at screen 0.91; set bmargin at screen 0.42
 set key at screen 0.03,0.335 left top maxrows 11 width 0 height 0
 set logscale y
 set yrange [decade_below(y_least):decade_above(y_most)]
