@@ -158,14 +158,40 @@ inline std::vector<example_problems::MeshPoint> mesh(const Shape& shape, Index r
         });
 }
 
-/// Largest deviations of the displacements at the particles from the exact ones. [length]
-inline Vector largest_deviations(const Cloud<2>& cloud, const example_problems::Solution& solution,
-                                 const Problem& problem) {
-    Vector largest = Vector::Zero();
+/// The largest deviation of a displacement from the exact one, and where it is. [length]
+struct Deviation {
+    double size = 0;
+    Point<2> x = Point<2>::Zero();
+};
+
+/// The largest deviations at the particles, of u1 and of u2.
+inline std::array<Deviation, 2> largest_deviations(const Cloud<2>& cloud,
+                                                   const example_problems::Solution& solution,
+                                                   const Problem& problem) {
+    std::array<Deviation, 2> largest;
     for (Index I = 0; I < cloud.size(); ++I) {
         const Point<2> x = cloud.x().col(I);
         const Vector deviation = example_problems::state_at(cloud, solution, x).u - problem.exact.u(x);
-        largest = largest.cwiseMax(deviation.cwiseAbs());
+        for (std::size_t i = 0; i < 2; ++i)
+            if (const double size = std::abs(deviation[static_cast<Index>(i)]); size > largest[i].size)
+                largest[i] = {size, x};
+    }
+    return largest;
+}
+
+/// The largest deviations from the exact solution at 101 places along the x2-axis, as Figures 16 and 17 show
+/// them.
+/// \return of u2 [length] and of σ11/σ0
+inline std::array<double, 2> largest_deviations_on_axis(const Cloud<2>& cloud,
+                                                        const example_problems::Solution& solution,
+                                                        const Problem& problem, const Shape& shape) {
+    std::array<double, 2> largest{};
+    for (int k = 0; k <= 100; ++k) {
+        const double r = shape.b + (shape.side - shape.b) * k / 100.0;
+        const auto [u, stress] = example_problems::state_at(cloud, solution, {0, r});
+        const auto [u2, s11] = along_x2_axis(problem.material, shape, r);
+        largest[0] = std::max(largest[0], std::abs(u[1] - u2));
+        largest[1] = std::max(largest[1], std::abs(stress[0] / sigma_0 - s11));
     }
     return largest;
 }

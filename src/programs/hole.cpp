@@ -48,8 +48,12 @@ std::vector<Point<2>> places(const Options& options, const hole::Shape& shape) {
 std::vector<Cell> errors(const command_line::Solved& solved, const hole::Shape& shape) {
     const auto& [problem, cloud, solution] = solved;
     const auto [dn, nd] = example_problems::errors(hole::mesh(shape), cloud, solution, problem);
-    const Vector deviation = 1000 * hole::largest_deviations(cloud, solution, problem);
-    return {dn, nd, deviation[0], deviation[1], hole::stress_concentration(cloud, solution, shape)};
+    const auto [u1, u2] = hole::largest_deviations(cloud, solution, problem);
+    const auto [axis_u2, axis_s11] = hole::largest_deviations_on_axis(cloud, solution, problem, shape);
+    return {
+        dn,      nd,      1000 * u1.size, 1000 * u2.size, hole::stress_concentration(cloud, solution, shape),
+        u1.x[0], u1.x[1], u2.x[0],        u2.x[1],        1000 * axis_u2,
+        axis_s11};
 }
 
 report::Table table_of(const Options& options) {
@@ -68,7 +72,13 @@ report::Table table_of(const Options& options) {
          {"log_error_nd", {1e-4, 1e-4}},
          {"deviation_u1_mm", {1e-4, 1e-6}},
          {"deviation_u2_mm", {1e-4, 1e-6}},
-         {"stress_concentration", {1e-4, 1e-4}}});
+         {"stress_concentration", {1e-4, 1e-4}},
+         {"deviation_u1_x1", {1e-9, 1e-9}},
+         {"deviation_u1_x2", {1e-9, 1e-9}},
+         {"deviation_u2_x1", {1e-9, 1e-9}},
+         {"deviation_u2_x2", {1e-9, 1e-9}},
+         {"axis_deviation_u2_mm", {1e-4, 1e-6}},
+         {"axis_deviation_s11", {1e-4, 1e-6}}});
     command_line::Progress progress(options.layouts.size() * options.radii.size() * options.draws *
                                     cases.size());
     for (const std::string& name : options.layouts)

@@ -13,6 +13,7 @@ namespace report {
 /// | --- | --- |
 /// | `A-5.1-perturbed` | what was measured for this claim, under the first convention |
 /// | `A-5.1-perturbed conditional` | the same with the condition of its verdict |
+/// | `A-5.1-perturbed verdict` | its verdict |
 /// | `count B-4.1-table-1` | "all 6", if all claims whose ids begin so are reproduced; else "5 of 6" |
 /// | `verdicts` | the verdicts on all papers in one sentence |
 ///

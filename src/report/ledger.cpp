@@ -18,8 +18,7 @@ Table empty_table(const Paper& paper) {
     return {
         {paper.citation + ": every testable statement, what was measured under both conventions of the " +
              about + ", and the verdict that follows",
-         "conditional: what the reading that the verdict names gives, else the first that adds a condition, " +
-             about + " " + one.name},
+         "conditional: what was measured under the condition that the verdict names, the first of several; where the condition leaves a range open, conditional is its beginning and conditional_upper its end"},
         {{"id"},
          {"section"},
          {"claim"},
@@ -28,14 +27,19 @@ Table empty_table(const Paper& paper) {
          {"measured_" + one.name, tolerance},
          {"measured_" + other.name, tolerance},
          {"conditional", tolerance},
+         {"conditional_upper", tolerance},
          {"verdict"}},
         {}};
 }
 
-/// The number of a reading; empty where it was not measured or is not finite.
-Cell number(const std::vector<Measurement>& measured, std::size_t reading) {
-    const bool known = reading < measured.size() && std::isfinite(measured[reading].value);
-    return known ? Cell(measured[reading].value) : Cell();
+/// A number; empty where it is not finite.
+Cell number(double value) {
+    return std::isfinite(value) ? Cell(value) : Cell();
+}
+
+/// What was measured of the claim as it stands.
+Cell as_it_stands(const std::vector<Measurement>& measured) {
+    return measured.empty() ? Cell() : number(measured.front().value);
 }
 
 const Computation& computation_of(const std::string& id, const Computations& computations) {
@@ -64,6 +68,12 @@ Statement statement(const Table& claims, std::size_t row) {
     return {claims.word(row, "relation"), value("expected"), value("tolerance")};
 }
 
+Statement statement(const Table& claims, const std::string& id) {
+    for (std::size_t row = 0; row < claims.rows.size(); ++row)
+        if (claims.word(row, "id") == id) return statement(claims, row);
+    throw base::InvalidInput("there is no claim " + id);
+}
+
 std::string shown(const Statement& statement) {
     const auto& [relation, expected, tolerance] = statement;
     return relation + " " + base::shown(expected) + (tolerance > 0 ? " ± " + base::shown(tolerance) : "");
@@ -77,10 +87,14 @@ Table judged(const Table& claims, const Paper& paper, const Computations& comput
         const Computation& measure = computation_of(word("id"), computations);
         const Statement stated = statement(claims, row);
         const auto with_one = measure(stated, 0), with_other = measure(stated, 1);
-        table.rows.push_back({word("id"), word("section"), word("claim"), word("quantity"), shown(stated),
-                              number(with_one, 0), number(with_other, 0),
-                              number(with_one, deciding_reading(stated, with_one, with_other)),
-                              verdict(stated, paper.conventions, with_one, with_other)});
+        const auto [verdict, conditional] = decided(stated, paper.conventions, with_one, with_other);
+        const bool definition = word("kind") == "definition" && verdict == "reproduced";
+        table.rows.push_back(
+            {word("id"), word("section"), word("claim"), word("quantity"), shown(stated),
+             as_it_stands(with_one), as_it_stands(with_other),
+             conditional ? number(conditional->value) : Cell(),
+             conditional && conditional->upper > conditional->value ? number(conditional->upper) : Cell(),
+             definition ? "by definition" : verdict});
         after_each();
     }
     if (computations.size() != claims.rows.size())

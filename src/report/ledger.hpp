@@ -32,6 +32,9 @@ struct Ledger {
 /// What a row of paper/claims.csv states. The table's numbers are read as numbers, see parsed().
 Statement statement(const Table& claims, std::size_t row);
 
+/// What the claim of an id states. \throws base::InvalidInput where there is none
+Statement statement(const Table& claims, const std::string& id);
+
 /// A statement in signs: "= 2 ± 0.1".
 std::string shown(const Statement& statement);
 

@@ -5,10 +5,11 @@ namespace report {
 Tally tally(const std::vector<std::string>& verdicts) {
     Tally count;
     for (const std::string& verdict : verdicts)
-        ++(verdict == "reproduced"    ? count.reproduced
-           : verdict == "differs"     ? count.differ
-           : verdict == "cannot tell" ? count.undecided
-                                      : count.conditional);
+        ++(verdict == "reproduced"          ? count.reproduced
+           : verdict == "by definition"     ? count.definitions
+           : verdict == "cannot tell"       ? count.undecided
+           : verdict.starts_with("differs") ? count.differ
+                                            : count.conditional);
     return count;
 }
 
@@ -27,31 +28,34 @@ Tally tally(const Table& verdicts, const std::string& section) {
 
 Tally operator+(const Tally& one, const Tally& other) {
     return {one.reproduced + other.reproduced, one.conditional + other.conditional, one.differ + other.differ,
-            one.undecided + other.undecided};
+            one.undecided + other.undecided, one.definitions + other.definitions};
 }
 
 std::string in_full(const Tally& tally) {
     return std::to_string(tally.claims()) + " claims: " + std::to_string(tally.reproduced) + " reproduced, " +
            std::to_string(tally.conditional) + " hold under a condition, " + std::to_string(tally.differ) +
-           " differ, " + std::to_string(tally.undecided) + " cannot tell";
+           " differ, " + std::to_string(tally.undecided) + " cannot tell, " +
+           std::to_string(tally.definitions) + " by definition";
 }
 
 std::string in_brief(const Tally& tally) {
-    const auto& [reproduced, conditional, differ, undecided] = tally;
-    if (tally.claims() == 0) return "";
+    const auto& [reproduced, conditional, differ, undecided, definitions] = tally;
+    if (tally.claims() + definitions == 0) return "";
     std::string text = std::to_string(reproduced) + " of " + std::to_string(tally.claims()) + " reproduced";
     if (conditional > 0) text += ", " + std::to_string(conditional) + " under a condition";
     if (differ > 0) text += ", " + std::to_string(differ) + (differ == 1 ? " differs" : " differ");
     if (undecided > 0) text += ", " + std::to_string(undecided) + " undecided";
+    if (definitions > 0) text += ", " + std::to_string(definitions) + " by definition";
     return text;
 }
 
 std::string in_a_sentence(const Tally& tally) {
-    const auto& [reproduced, conditional, differ, undecided] = tally;
+    const auto& [reproduced, conditional, differ, undecided, definitions] = tally;
     return "Of the papers' " + std::to_string(tally.claims()) + " testable statements, " +
            std::to_string(reproduced) + " are reproduced, " + std::to_string(conditional) +
            " hold under a condition, and " + std::to_string(differ) + " differ" +
-           (undecided > 0 ? "; " + std::to_string(undecided) + " could not be decided." : ".");
+           (undecided > 0 ? "; " + std::to_string(undecided) + " could not be decided" : "") +
+           (definitions > 0 ? "; " + std::to_string(definitions) + " more hold by definition." : ".");
 }
 
 }  // namespace report

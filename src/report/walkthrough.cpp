@@ -110,12 +110,13 @@ std::string claim_in_words(const Reproduction& reproduction, std::size_t row) {
     return text;
 }
 
-/// A verdict; one other than "reproduced" stands out, with the number that a condition gives.
+/// A verdict; what is conditional or differs stands out, with the number that a condition gives.
 std::string verdict_in_words(const Table& verdicts, std::size_t row) {
-    const std::string verdict = verdicts.word(row, "verdict"),
-                      conditional = verdicts.word(row, "conditional");
-    return (verdict == "reproduced" ? verdict : "**" + escaped(verdict) + "**") +
-           (conditional.empty() ? "" : " (then " + conditional + ")");
+    const std::string verdict = verdicts.word(row, "verdict"), from = verdicts.word(row, "conditional"),
+                      to = verdicts.word(row, "conditional_upper");
+    const bool plain = verdict == "reproduced" || verdict == "by definition";
+    return (plain ? verdict : "**" + escaped(verdict) + "**") +
+           (from.empty() ? "" : " (then " + from + (to.empty() ? "" : " to " + to) + ")");
 }
 
 /// \throws FailedComputation where the verdict in this row is on another claim
@@ -239,7 +240,12 @@ std::string equation_page(const std::vector<Reproduction>& all) {
 
 std::string claims_page(const std::vector<Reproduction>& all) {
     std::string page =
-        "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in our words. Each verdict is computed: the statement is compared with what was measured under two conventions between which the print does not decide. The name of a claim leads to the tests of its subject.\n\n";
+        "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in our words. Each verdict is computed: the statement is compared with what was measured under two conventions between which the print does not decide. The name of a claim leads to the tests of its subject.\n\n"
+        "- **reproduced**: it holds under both conventions.\n"
+        "- **holds only if**: it does not hold as it stands, but with the condition that the verdict names, or under one convention alone. The number that follows was measured with the condition. A misprint that one sign or one entry mends is a condition.\n"
+        "- **differs**: it holds under neither, nor with the conditions that were tried, which the verdict names.\n"
+        "- **by definition**: it follows from a definition and tests nothing. It is not counted.\n"
+        "- The layout of the particles around the hole is lost. A statement about it is reproduced if it is true on each of 25 layouts of as many particles; it holds under a condition if it is true on some of them, or if the printed number lies between the least and the largest of theirs.\n\n";
     for (const Reproduction& reproduction : all) page += claims_of(reproduction);
     return page;
 }

@@ -160,3 +160,27 @@ TEST_CASE("hole: the weak forms approach the concentration of three, more partic
         CHECK(fine < coarse);
     }
 }
+
+TEST_CASE(
+    "hole: no particle deviates more than the named one, and no place of the axis more than the largest") {
+    const Problem problem = hole::problem(material, shape);
+    const Cloud<2> cloud(hole::graded_layout(shape, 188, 11, 1));
+    const auto solution = example_problems::solve(
+        problem, cloud, {example_problems::Method::weak1, 4, 2, hole::penalty(material)});
+    const auto deviation = [&](const Point<2>& x) {
+        return Vector(example_problems::state_at(cloud, solution, x).u - problem.exact.u(x))
+            .cwiseAbs()
+            .eval();
+    };
+    const auto largest = hole::largest_deviations(cloud, solution, problem);
+    for (Index i = 0; i < 2; ++i) {
+        const auto& [size, x] = largest[static_cast<std::size_t>(i)];
+        CHECK(size == deviation(x)[i]);
+        for (Index I = 0; I < cloud.size(); ++I) CHECK(deviation(cloud.x().col(I))[i] <= size);
+    }
+    const auto [u2, s11] = hole::largest_deviations_on_axis(cloud, solution, problem, shape);
+    CHECK(s11 >= std::abs(hole::stress_concentration(cloud, solution, shape) - 3) - 1e-9);
+    for (const double r : {shape.b, (shape.b + shape.side) / 2, shape.side})
+        CHECK(u2 >= deviation({0, r})[1] * (1 - 1e-9));
+    CHECK(u2 < 1e-3);
+}

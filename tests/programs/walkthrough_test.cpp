@@ -31,18 +31,18 @@ struct TwoPapers : programs::Folder {
               "B2.10,2.1,its order,second/section_2_1_basis.hpp,second/basis_test.cpp\n");
         write(
             "paper/claims.csv",
-            "id,old_id,section,equations,claim,quantity,relation,expected,tolerance,reason,test\n"
-            "A-2-sum,A01,2,2,(2) is exact and (2.1) a number,an error,<,1,0,a reason,first/sums_test.cpp\n"
-            "B-2-basis,B01,2,2.10,(2.1) is exact and (2.5) a number,an error,<,1,0,a reason,second/basis_test.cpp\n");
+            "id,old_id,section,equations,kind,claim,quantity,relation,expected,tolerance,reason,test\n"
+            "A-2-sum,A01,2,2,,(2) is exact and (2.1) a number,an error,<,1,0,a reason,first/sums_test.cpp\n"
+            "B-2-basis,B01,2,2.10,,(2.1) is exact and (2.5) a number,an error,<,1,0,a reason,second/basis_test.cpp\n");
         write("paper/items.csv",
               "paper,item,section,command,output,source\n"
               "first,Sums,2,make check,a.csv,a.hpp\nsecond,Basis,2,make check,b.csv,b.hpp\n");
         write("data/first/claims.csv",
-              "id,statement,measured_equal,measured_partition,conditional,section,verdict\n"
-              "A-2-sum,< 1,0.5,0.25,,2,reproduced\n");
+              "id,statement,measured_equal,measured_partition,conditional,conditional_upper,section,verdict\n"
+              "A-2-sum,< 1,0.5,0.25,,,2,reproduced\n");
         write("data/second/claims.csv",
-              "id,statement,measured_dn,measured_nd,conditional,section,verdict\n"
-              "B-2-basis,< 1,1.5,1.25,,2,differs\n");
+              "id,statement,measured_dn,measured_nd,conditional,conditional_upper,section,verdict\n"
+              "B-2-basis,< 1,1.5,1.25,,,2,differs\n");
         write("data/second/choices.csv",
               "choice,one,other,quantity,formulation,with_one,with_other\nerror,dn,nd,E,basis,1,2\n");
         write("tests/first/sums_test.cpp", "TEST_CASE(\"sums: (2)\") {}\n");

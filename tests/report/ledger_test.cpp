@@ -19,7 +19,7 @@ Computation measuring(double one, double other) {
 }
 
 Table claims(const std::string& rows) {
-    return parsed("id,section,claim,quantity,relation,expected,tolerance\n" + rows);
+    return parsed("id,section,kind,claim,quantity,relation,expected,tolerance\n" + rows);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ TEST_CASE(
         return std::vector<Measurement>{{"", 0}, {"the nearest is taken", claim.expected}};
     };
     int decided = 0;
-    const Table table = judged(claims("a,2,is two,a number,=,2,0.1\nb,2,is three,another,=,3,0\n"), paper,
+    const Table table = judged(claims("a,2,,is two,a number,=,2,0.1\nb,2,,is three,another,=,3,0\n"), paper,
                                {{"a", measuring(2.05, 1)}, {"b", nearest}}, [&] { ++decided; });
     CHECK(decided == 2);
     REQUIRE(table.rows.size() == 2);
@@ -58,16 +58,35 @@ TEST_CASE("ledger: the number of a condition is that of the reading which the ve
     const Computation second = [](const Statement&, std::size_t) {
         return std::vector<Measurement>{{"", 1}, {"it rains", 2}, {"the layout is polar", -3}};
     };
-    const Table table = judged(claims("a,2,is below,a number,<,0,0\n"), paper, {{"a", second}}, [] {});
+    const Table table = judged(claims("a,2,,is below,a number,<,0,0\n"), paper, {{"a", second}}, [] {});
     CHECK(table.word(0, "verdict") == "holds only if the layout is polar");
     CHECK(table.word(0, "conditional") == "-3");
 }
 
+TEST_CASE("ledger: a range stands in two columns, and a definition is named as one, if it holds") {
+    const Computation range = [](const Statement&, std::size_t) {
+        return std::vector<Measurement>{{"", 1}, {"it lies between", 1, 3}};
+    };
+    const Table table = judged(claims("a,2,,is two,a number,=,2,0\nb,2,definition,is one,a number,=,1,0\n"
+                                      "c,2,definition,is two,a number,=,2,0\n"),
+                               paper, {{"a", range}, {"b", measuring(1, 1)}, {"c", measuring(1, 1)}}, [] {});
+    CHECK(table.word(0, "conditional") == "1");
+    CHECK(table.word(0, "conditional_upper") == "3");
+    CHECK(table.word(1, "verdict") == "by definition");
+    CHECK(table.word(2, "verdict") == "differs");
+}
+
+TEST_CASE("ledger: what a claim states is found by its id") {
+    const Table table = claims("a,2,,is two,a number,=,2,0.1\n");
+    CHECK(statement(table, "a").expected == 2);
+    CHECK_THROWS_WITH_AS(statement(table, "b"), "there is no claim b", base::InvalidInput);
+}
+
 TEST_CASE("ledger: a claim without a computation is refused, and a computation without a claim") {
     const auto nothing = [] {};
-    CHECK_THROWS_WITH_AS(judged(claims("a,2,is two,a number,=,2,0.1\n"), paper, {}, nothing),
+    CHECK_THROWS_WITH_AS(judged(claims("a,2,,is two,a number,=,2,0.1\n"), paper, {}, nothing),
                          "claim a has no computation that decides it", base::FailedComputation);
-    CHECK_THROWS_WITH_AS(judged(claims("a,2,is two,a number,=,2,0.1\n"), paper,
+    CHECK_THROWS_WITH_AS(judged(claims("a,2,,is two,a number,=,2,0.1\n"), paper,
                                 {{"a", measuring(2, 2)}, {"b", measuring(2, 2)}}, nothing),
                          "2 computations decide 1 claims; every computation needs its row",
                          base::FailedComputation);

@@ -55,8 +55,18 @@ double order_in_h(double place, const std::function<double(const CentredKernel&)
     return report::observed_order(h, size);
 }
 
-double order_at_ends(const std::function<double(const CentredKernel&)>& error) {
-    return std::min(order_in_h(0, error), order_in_h(1, error));
+Computation order_at_ends(const IntegralError& error) {
+    return measured([error] { return std::min(order_in_h(0, error), order_in_h(1, error)); });
+}
+
+Computation order_far_inside(const IntegralError& error) {
+    return measured([error] { return order_in_h(0.5, error); });
+}
+
+Computation order_everywhere(const IntegralError& error) {
+    return measured([error] {
+        return std::min({order_in_h(0, error), order_in_h(0.5, error), order_in_h(1, error)});
+    });
 }
 
 double order(const std::vector<Index>& numbers, const std::function<double(Index)>& error) {
@@ -69,8 +79,9 @@ double order(const std::vector<Index>& numbers, const std::function<double(Index
 }
 
 double over_particles(Volumes volumes, Where where,
-                      const std::function<double(const Neighbourhood<double>&)>& value, double perturbation) {
-    const auto [line, smoothing] = discretise<double>({volumes, Gaussian{}, 1, perturbation}, 100, 1);
+                      const std::function<double(const Neighbourhood<double>&)>& value, double perturbation,
+                      unsigned long seed) {
+    const auto [line, smoothing] = discretise<double>({volumes, Gaussian{}, 1, perturbation}, 100, seed);
     const Index margin = where == Where::interior ? 13 : 0;
     double most = 0;
     for (Index i = margin; i < 100 - margin; ++i)

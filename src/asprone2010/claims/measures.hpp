@@ -50,8 +50,13 @@ double largest(const std::vector<double>& places, const std::function<double(dou
 /// Order in h of an error of the integral forms, at a place.
 double order_in_h(double place, const std::function<double(const CentredKernel&)>& error);
 
-/// The smaller of the orders at both ends.
-double order_at_ends(const std::function<double(const CentredKernel&)>& error);
+/// An error of the integral forms around a particle.
+using IntegralError = std::function<double(const CentredKernel&)>;
+
+/// The smaller of its orders in h at both ends; the order in the middle; the smallest of the three.
+Computation order_at_ends(const IntegralError& error);
+Computation order_far_inside(const IntegralError& error);
+Computation order_everywhere(const IntegralError& error);
 
 // Sums over neighbourhoods
 
@@ -68,7 +73,7 @@ enum class Where { all, interior };
 /// positions, in δ
 double over_particles(Volumes volumes, Where where,
                       const std::function<double(const Neighbourhood<double>&)>& value,
-                      double perturbation = 0);
+                      double perturbation = 0, unsigned long seed = 1);
 
 /// Weights on the differences \f$B(x_j) - B(x_i)\f$ of a neighbourhood.
 using Rule = std::function<Column<double>(const Neighbourhood<double>&)>;

@@ -39,9 +39,9 @@ report::Computations section_3_3() {
         {"A-3.3-moments-second-order",
          measured([](Volumes volumes) { return deviation_of_moments<0, 1, 2>(volumes); })},
         // Order in h of B at the ends, first-order kernel
-        {"A-3.3-B-first-order", measured([] { return order_at_ends(error_of_value<0, 1>); })},
+        {"A-3.3-B-first-order", order_at_ends(error_of_value<0, 1>)},
         // Order in h of B at the ends, second-order kernel
-        {"A-3.3-B-second-order", measured([] { return order_at_ends(error_of_value<0, 1, 2>); })},
+        {"A-3.3-B-second-order", order_at_ends(error_of_value<0, 1, 2>)},
         // Order of the largest error of DB, first-order kernel
         {"A-3.3-DB-first-order", order_of_largest_error("rkpm_first_order", Derivative::first)},
         // Order of the largest error of DB, second-order kernel

@@ -14,14 +14,25 @@ Column<double> rule(const Neighbourhood<double>& near) {
     return fpm::first_derivative(near);
 }
 
+/// \f$e'_1\f$ of (27) over the norm of W, and \f$e'_2\f$ of (28) over that of DW.
+double e_27(const CentredKernel& W_i) {
+    return fpm::first_remainder(B, DB(W_i.x), W_i) / W_i.norm(W_i.W);
+}
+double e_28(const CentredKernel& W_i) {
+    return fpm::second_remainder(B, DB(W_i.x), W_i) / W_i.norm(W_i.DW);
+}
+
 }  // namespace
 
 report::Computations section_3_4() {
     return {
+        // Orders of the remainders over the norms
+        {"A-3.4-e-27", order_everywhere(e_27)},
+        {"A-3.4-e-28-at-end", order_at_ends(e_28)},
+        {"A-3.4-e-28-inside", order_far_inside(e_28)},
         // Order in h of B at the ends
-        {"A-3.4-B-at-end", measured([] {
-             return order_at_ends([](const CentredKernel& W_i) { return fpm::error(B, DB(W_i.x), W_i)[0]; });
-         })},
+        {"A-3.4-B-at-end",
+         order_at_ends([](const CentredKernel& W_i) { return fpm::error(B, DB(W_i.x), W_i)[0]; })},
         // Order of DB at an end
         {"A-3.4-DB-at-end", order_at_end(rule, DB, 1)},
         // Order of DB inside

@@ -38,28 +38,45 @@ Neighbourhood<double> behind_a_gap(double gap, Volumes volumes) {
                                     particles::Smoothing<double>(Gaussian{}, 2.0), 1);
 }
 
-/// \f$A_{12}\f$ of (43), in units of h².
-double A12(const Neighbourhood<double>& near) {
-    return modified_fpm::matrix(second_order_fpm::corrected(near))(0, 1);
+/// Smallest |det A| of (43) in units of h, with h = δ, over all particles and 51 perturbed lines.
+double least_determinant(Volumes volumes) {
+    const auto inverse = [](const Neighbourhood<double>& near) {
+        return 1 / modified_fpm::matrix(second_order_fpm::corrected(near)).determinant();
+    };
+    double most = 0;
+    for (unsigned long seed = 1; seed <= 51; ++seed)
+        most = std::max(most, over_particles(volumes, Where::all, inverse, 0.25, seed));
+    return 1 / most;
 }
 
-/// |A12| behind the gap at which it changes its sign, found by bisection.
-double A12_at_its_zero(Volumes volumes) {
-    double negative = 0.01, positive = 1;
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (negative + positive) / 2;
-        (A12(behind_a_gap(middle, volumes)) < 0 ? negative : positive) = middle;
-    }
-    return std::abs(A12(behind_a_gap(positive, volumes)));
-}
-
-/// Largest difference between the corrected kernel and W, which is divided by its discrete integral or not,
-/// inside.
-double difference_of_kernels(Volumes volumes, bool divided) {
-    return over_particles(volumes, Where::interior, [=](const Neighbourhood<double>& near) {
-        const double integral = divided ? (near.W * near.V).sum() : 1;
-        return (second_order_fpm::corrected(near).W - near.W / integral).abs().maxCoeff();
+/// Largest difference between W inside and the kernel that the sums (42) correct, in units of 1/h.
+double difference_by_sums(Volumes volumes) {
+    return over_particles(volumes, Where::interior, [](const Neighbourhood<double>& near) {
+        return (second_order_fpm::corrected(near).W - near.W).abs().maxCoeff();
     });
+}
+
+/// The same for the kernel that the integrals (41) correct.
+double difference_by_integrals() {
+    return largest(inside, [](double x) {
+        const CentredKernel W_i = kernel_at(x), K_i = second_order_fpm::corrected(W_i);
+        double most = 0;
+        for (int k = -30; k <= 30; ++k) {
+            const double at = x + 0.1 * k * W_i.h;
+            most = std::max(most, W_i.h * std::abs(K_i.W(at) - W_i.W(at)));
+        }
+        return most;
+    });
+}
+
+/// \f$e'''_1\f$ of (43) over the norm of K, and \f$e'''_2\f$ over that of DK.
+double first_e_43(const CentredKernel& W_i) {
+    const CentredKernel K_i = second_order_fpm::corrected(W_i);
+    return modified_fpm::first_remainder(B, DB(W_i.x), D2B(W_i.x), K_i) / K_i.norm(K_i.W);
+}
+double second_e_43(const CentredKernel& W_i) {
+    const CentredKernel K_i = second_order_fpm::corrected(W_i);
+    return modified_fpm::second_remainder(B, DB(W_i.x), D2B(W_i.x), K_i) / K_i.norm(K_i.DW);
 }
 
 }  // namespace
@@ -85,10 +102,10 @@ report::Computations section_4() {
                  return reciprocal_condition(near, {2, 1, 0});
              });
          })},
-        // Largest difference between the corrected kernel and W inside, then W over its discrete integral
+        // Largest difference between the corrected kernel and W inside, by sums, then by integrals
         {"A-4-kernel-inside", readings([](Volumes volumes) -> std::vector<Measurement> {
-             return {{"", difference_of_kernels(volumes, false)},
-                     {"W is divided by its discrete integral, 1.0001", difference_of_kernels(volumes, true)}};
+             return {{"", difference_by_sums(volumes)},
+                     {"the conditions are the integrals (41)", difference_by_integrals()}};
          })},
         // Largest A11 of (43) on perturbed particles
         {"A-4-entry-vanishes", measured([](Volumes volumes) {
@@ -97,13 +114,11 @@ report::Computations section_4() {
              };
              return over_particles(volumes, Where::all, A11, 0.25);
          })},
-        // Smallest |A12| of (43) on any particles, then with h = δ on perturbed ones
-        {"A-4-system-regular", readings([](Volumes volumes) -> std::vector<Measurement> {
-             const auto inverse = [](const Neighbourhood<double>& near) { return 1 / A12(near); };
-             return {{"", A12_at_its_zero(volumes)},
-                     {"h = δ, particles moved by at most δ/4",
-                      1 / over_particles(volumes, Where::all, inverse, 0.25)}};
-         })},
+        // Smallest |det A| of (43) on perturbed particles
+        {"A-4-system-regular", measured(least_determinant)},
+        // Orders of the remainders over the norms
+        {"A-4-e-43-first", order_everywhere(first_e_43)},
+        {"A-4-e-43-second", order_everywhere(second_e_43)},
         // Order of the largest error of DB
         {"A-4-DB-everywhere", order_of_largest_error("second_order_fpm", Derivative::first)},
         // Order of the largest error of D²B

@@ -1,5 +1,8 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "asprone2010/claims/ledger.hpp"
 #include "asprone2010/claims/measures.hpp"
 
@@ -36,9 +39,13 @@ report::Computations section_5_2() {
         // With 20 to 160
         {"A-5.2-few-original", order_of_displacement("original", few)},
         {"A-5.2-few-rkpm-first-order", order_of_displacement("rkpm_first_order", few)},
-        // Error of modified FPM over that of second-order FPM, 640 particles
+        // Least error of modified FPM over that of second-order FPM, 20 to 1280 particles
         {"A-5.2-errs-less", measured([](Volumes volumes) {
-             return error("modified_fpm", 640, {volumes}) / error("second_order_fpm", 640, {volumes});
+             double least = HUGE_VAL;
+             for (const Index N : {20, 40, 80, 160, 320, 640, 1280})
+                 least = std::min(
+                     least, error("modified_fpm", N, {volumes}) / error("second_order_fpm", N, {volumes}));
+             return least;
          })},
         // Order of the median error over 51 perturbed lines
         {"A-5.2-perturbed", order_of_median([](Index N, Volumes volumes, unsigned long seed) {

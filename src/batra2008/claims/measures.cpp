@@ -6,18 +6,22 @@
 
 namespace batra2008::claims {
 
-Computation measured(const std::function<double(Norm)>& number) {
-    return [number](const report::Statement&, std::size_t convention) {
-        return std::vector<Measurement>{{"", number(std::array{Norm::dn, Norm::nd}.at(convention))}};
+Computation readings(const std::function<std::vector<Measurement>(Norm)>& measurements) {
+    return [measurements](const report::Statement&, std::size_t convention) {
+        return measurements(std::array{Norm::dn, Norm::nd}.at(convention));
     };
+}
+
+Computation readings(const std::function<std::vector<Measurement>()>& measurements) {
+    return readings([measurements](Norm) { return measurements(); });
+}
+
+Computation measured(const std::function<double(Norm)>& number) {
+    return readings([number](Norm norm) { return std::vector<Measurement>{{"", number(norm)}}; });
 }
 
 Computation measured(const std::function<double()>& number) {
     return measured([number](Norm) { return number(); });
-}
-
-Computation readings(const std::function<std::vector<Measurement>()>& measurements) {
-    return [measurements](const report::Statement&, std::size_t) { return measurements(); };
 }
 
 template <int dim>

@@ -23,7 +23,10 @@ Computation measured(const std::function<double(Norm)>& number);
 /// A number that does not.
 Computation measured(const std::function<double()>& number);
 
-/// The claim as it stands, then readings that add a condition; the error norm does not enter.
+/// The claim as it stands, then readings that add a condition.
+Computation readings(const std::function<std::vector<Measurement>(Norm)>& measurements);
+
+/// The same where the error norm does not enter.
 Computation readings(const std::function<std::vector<Measurement>()>& measurements);
 
 /// Random particles around the origin, in a cube of side 2.

@@ -44,33 +44,6 @@ double traction_error(bool printed) {
     return most;
 }
 
-/// Replaces the tractions (3.14) of a system by those with the entry as printed.
-void print_tractions(System& system, const Problem& problem, const Cloud<2>& cloud, const Kernel& kernel) {
-    for (Index I = 0; I < cloud.size(); ++I) {
-        const auto conditions = elastostatics::conditions_at(problem, cloud.x().col(I));
-        for (std::size_t row = 0; row < conditions.size(); ++row) {
-            if (conditions[row].displacement || conditions[row].component == 0) continue;
-            const auto basis =
-                ssph_basis::basis_at<2>(cloud, kernel, Point<2>(cloud.x().col(I)), cloud.apart()[I]);
-            const Column<double> too_much = excess(basis, problem.material, conditions[row].n);
-            for (std::size_t j = 0; j < basis.particle().size(); ++j)
-                system.A.coeffRef(2 * I + static_cast<Index>(row), 2 * basis.particle()[j] + 1) +=
-                    too_much[static_cast<Index>(j)];
-        }
-    }
-}
-
-/// Largest error of u2 in per cent on 16 × 4 particles, with the tractions (3.14) as printed or mended.
-double plate_error(bool printed) {
-    const Material material{plate::E, plate::nu};
-    const Problem problem = plate::problem(material);
-    const Cloud<2> cloud(plate::grid(16, 4));
-    const example_problems::Discretisation how{example_problems::Method::strong, 3};
-    System system = example_problems::system(problem, cloud, how);
-    if (printed) print_tractions(system, problem, cloud, Kernel(how.scaling));
-    return plate::largest_error_u2(cloud, {how, material, cloud.apart(), solved(system)}, problem);
-}
-
 }  // namespace
 
 report::Computations section_3_1() {
@@ -78,10 +51,6 @@ report::Computations section_3_1() {
         // Largest relative error of the tractions of linear displacements, as printed, then mended
         {"B-3.1-traction", readings([]() -> std::vector<Measurement> {
              return {{"", traction_error(true)}, {mended, traction_error(false)}};
-         })},
-        // Largest error of u2 of the plate, as printed, then mended
-        {"B-3.1-printed-traction", readings([]() -> std::vector<Measurement> {
-             return {{"", plate_error(true)}, {mended, plate_error(false)}};
          })},
     };
 }
