@@ -12,12 +12,12 @@ tree = "linecolor rgb '#7a1f14' dashtype (8,3) pointtype 2 pointsize 0.8 linewid
 numpy = "linecolor rgb '#c0392b' dashtype (4,4) pointtype 3 pointsize 0.7 linewidth 1.4"
 
 set multiplot
-set bmargin at screen 0.59; set tmargin at screen 0.94
+set bmargin at screen 0.58; set tmargin at screen 0.92
 set title "search and basis (m = 2), one thread"
 set ylabel "µs per particle"
 set yrange [0.05:20]
 set format y "%g"
-set key at screen 0.65,0.94 left top
+set key at screen 0.65,0.92 left top
 plot table using (row("basis", "m = 2", 1)):(column("nanoseconds") / 1000) with linespoints linestyle method_style("strong") title "SSPH basis", \
      table using (row("basis", "NumPy m = 2", 1)):(column("nanoseconds") / 1000) with linespoints @numpy title "SSPH basis in NumPy", \
      table using (row("search", "cells", 1)):(column("nanoseconds") / 1000) with linespoints linestyle method_style("weak1") title "search of neighbours", \
