@@ -39,6 +39,14 @@ TEST_CASE("jet: sum, difference, product and quotient of x^2 + 1 and 3 x at x = 
     CHECK(std::abs(second - 1.0 / 12) < 1e-15);
 }
 
+TEST_CASE("jet: the chain rule for a function of t whose slope is not one, exp(2 t + 3 t^2/2) at t = 0") {
+    CHECK(same(exp(Jet<double>{0, 2, 3}), {1, 2, 7}));
+}
+
+TEST_CASE("jet: hypot on a ray from the origin is the distance, which grows without curvature") {
+    CHECK(same(hypot(Jet<double>{3, 3}, Jet<double>{4, 4}), {5, 5, 0}));
+}
+
 TEST_CASE("jet: hypot and atan2 of a point on a circle") {
     const Jet<double> x{0.6, -1.6, -2.4}, y{0.8, 1.2, -3.2};  // cos and sin of 2t, where 2t = atan2(0.8, 0.6)
     const auto r = hypot(x, y), angle = atan2(y, x);
