@@ -207,13 +207,13 @@ TEST_CASE(
     double worst = 0;
     for (Index j = 0; j < grid.size(); ++j) {
         const auto basis = basis_at<2>(grid, TruncatedGaussian<2>(3), Point<2>(grid.x().col(j)), 1.0 / 8);
-        Eigen::VectorXd most = Eigen::VectorXd::Ones(6), least = most;  // by powers of C and of its inverse
+        Eigen::VectorXd u = Eigen::VectorXd::Ones(6), v = u;  // by powers of C and of its inverse
         for (int k = 0; k < 200; ++k) {
-            most = (basis.matrix() * most).normalized();
-            least = basis.matrix().llt().solve(least).normalized();
+            u = (basis.matrix() * u).normalized();
+            v = basis.matrix().llt().solve(v).normalized();
         }
         CHECK(support::condition(basis.matrix()) ==
-              support::relative(most.dot(basis.matrix() * most) / least.dot(basis.matrix() * least), 1e-9));
+              support::relative(u.dot(basis.matrix() * u) / v.dot(basis.matrix() * v), 1e-9));
         worst = std::max(worst, support::condition(basis.matrix()));
     }
     CHECK(worst == support::relative(101, 0.01));
