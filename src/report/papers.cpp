@@ -22,6 +22,7 @@ std::vector<Paper> papers(const Table& table) {
 
 const Paper& paper_named(const std::string& folder, const std::vector<Paper>& papers) {
     std::vector<std::pair<std::string, const Paper*>> known;
+    known.reserve(papers.size());
     for (const Paper& paper : papers) known.emplace_back(paper.folder, &paper);
     return *base::choose("paper", folder, known);
 }

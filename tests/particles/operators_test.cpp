@@ -13,6 +13,23 @@ using asprone2010::numerical_tests::Discretisation;
 using support::particles_of;
 using support::same_bytes;
 
+namespace {
+
+/// Weights of which the first one is multiplied.
+struct OneWrong {
+    double factor;
+    bool second;  ///< of D², not of D
+
+    template <class Scalar>
+    Derivatives<Scalar> operator()(const Neighbourhood<Scalar>& near) const {
+        Derivatives<Scalar> all{near.DW * near.V, near.DW * near.V};
+        (second ? all.second : all.first)[0] *= Scalar(factor);
+        return all;
+    }
+};
+
+}  // namespace
+
 TEST_CASE("operators: some rows of a line are those of all, packs or not") {
     const auto [line, smoothing] = particles_of(203, {Volumes::partition, Gaussian{}, 1.3, 0.25});
     const auto weights = [](const auto& near) { return asprone2010::second_order_fpm::derivatives(near); };
@@ -227,18 +244,12 @@ TEST_CASE("operators: a formulation that gives too few weights is refused") {
 TEST_CASE("operators: weights that are not finite are refused with formulation, particle and place") {
     const auto [line, smoothing] = particles_of(30, {});
     for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity()})
-        for (const bool second : {false, true}) {
-            const auto weights = [&]<class Number>(const Neighbourhood<Number>& near) {
-                Derivatives<Number> all{near.DW * near.V, near.DW * near.V};
-                (second ? all.second : all.first)[0] *= Number(wrong);
-                return all;
-            };
+        for (const bool second : {false, true})
             CHECK_THROWS_WITH_AS(
-                static_cast<void>(assemble(line, smoothing, {"mine", 2}, weights)),
+                static_cast<void>(assemble(line, smoothing, {"mine", 2}, OneWrong{wrong, second})),
                 doctest::Contains(
                     "mine: particle 0 (x = 0) has 7 neighbours within 6h (0 on the left, 6 on the right), but its weights are not finite; "),
                 FailedComputation);
-        }
 }
 
 TEST_CASE("operators: as many smoothing lengths as particles are needed, and as many values") {

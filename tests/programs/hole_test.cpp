@@ -110,8 +110,8 @@ TEST_CASE(
             for (const std::string& option : {std::string("--scaling "), std::string("--smoothing-from ")}) {
                 const std::size_t at = why.find(option, why.find("; "));
                 if (at == std::string::npos) continue;
-                std::string value = why.substr(at + option.size());
-                value = value.substr(0, value.find_first_of(" \n"));
+                const std::size_t from = at + option.size();
+                const std::string value = why.substr(from, why.find_first_of(" \n", from) - from);
                 const std::string remedy =
                     option == "--scaling " ? " " + option + value : " --scaling 1.5 " + option + value;
                 ++followed;
