@@ -41,6 +41,7 @@ examples: $(methods) ## build and run the examples as a user would: outside of t
 	        "$$folder/heat_equation"
 	        "$$folder/laplacian"
 	        "$$folder/own_formulation"
+	        "$$folder/own_kernel"
 	    done
 	    cmake -S "$$folder" -B "$$folder/$$compiler" -DCMAKE_CXX_COMPILER=$$compiler -DCMAKE_PREFIX_PATH="$$prefix"
 	    cmake --build "$$folder/$$compiler" --target heat_equation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 
 #include "base/vector_width.hpp"
@@ -11,7 +12,8 @@ namespace base {
 /// evaluates a formula for all of them at once, in the wide registers of the processor. Compilers split the
 /// operations where registers are narrower, so that every lane has the same bits on all processors.
 ///
-/// A comparison has an answer for each lane; everywhere() and chosen() take the place of branches.
+/// A comparison has an answer for each lane; everywhere() and chosen() take the place of branches. A function
+/// of <cmath> is found for every scalar where it is called without std::, as in `using std::cos; cos(s)`.
 struct Pack {
     static constexpr int lanes = numbers_in_register;
     using Vector [[gnu::vector_size(lanes * sizeof(double))]] = double;
@@ -43,6 +45,63 @@ struct Pack {
     friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.values / b.values); }
     friend Mask operator<(const Pack& a, const Pack& b) { return a.values < b.values; }
     friend Mask operator>(const Pack& a, const Pack& b) { return a.values > b.values; }
+
+    /// A function of each lane, the same as of a double.
+    [[nodiscard]] Pack each_lane(double (*function)(double)) const {
+        Pack result{};
+        for (int lane = 0; lane < lanes; ++lane) result.values[lane] = function(values[lane]);
+        return result;
+    }
+    friend Pack sqrt(const Pack& a) { return a.each_lane(std::sqrt); }
+    friend Pack cbrt(const Pack& a) { return a.each_lane(std::cbrt); }
+    friend Pack sin(const Pack& a) { return a.each_lane(std::sin); }
+    friend Pack cos(const Pack& a) { return a.each_lane(std::cos); }
+    friend Pack tan(const Pack& a) { return a.each_lane(std::tan); }
+    friend Pack asin(const Pack& a) { return a.each_lane(std::asin); }
+    friend Pack acos(const Pack& a) { return a.each_lane(std::acos); }
+    friend Pack atan(const Pack& a) { return a.each_lane(std::atan); }
+    friend Pack sinh(const Pack& a) { return a.each_lane(std::sinh); }
+    friend Pack cosh(const Pack& a) { return a.each_lane(std::cosh); }
+    friend Pack tanh(const Pack& a) { return a.each_lane(std::tanh); }
+    friend Pack asinh(const Pack& a) { return a.each_lane(std::asinh); }
+    friend Pack acosh(const Pack& a) { return a.each_lane(std::acosh); }
+    friend Pack atanh(const Pack& a) { return a.each_lane(std::atanh); }
+    friend Pack expm1(const Pack& a) { return a.each_lane(std::expm1); }
+    friend Pack log(const Pack& a) { return a.each_lane(std::log); }
+    friend Pack log2(const Pack& a) { return a.each_lane(std::log2); }
+    friend Pack log10(const Pack& a) { return a.each_lane(std::log10); }
+    friend Pack log1p(const Pack& a) { return a.each_lane(std::log1p); }
+    friend Pack erf(const Pack& a) { return a.each_lane(std::erf); }
+    friend Pack erfc(const Pack& a) { return a.each_lane(std::erfc); }
+    friend Pack tgamma(const Pack& a) { return a.each_lane(std::tgamma); }
+    friend Pack floor(const Pack& a) { return a.each_lane(std::floor); }
+    friend Pack ceil(const Pack& a) { return a.each_lane(std::ceil); }
+    friend Pack round(const Pack& a) { return a.each_lane(std::round); }
+    friend Pack trunc(const Pack& a) { return a.each_lane(std::trunc); }
+
+    /// A function of two numbers, lane by lane.
+    [[nodiscard]] Pack each_lane(const Pack& b, double (*function)(double, double)) const {
+        Pack result{};
+        for (int lane = 0; lane < lanes; ++lane) result.values[lane] = function(values[lane], b[lane]);
+        return result;
+    }
+    friend Pack pow(const Pack& a, const Pack& b) { return a.each_lane(b, std::pow); }
+    friend Pack atan2(const Pack& a, const Pack& b) { return a.each_lane(b, std::atan2); }
+    friend Pack hypot(const Pack& a, const Pack& b) { return a.each_lane(b, std::hypot); }
+    friend Pack fmod(const Pack& a, const Pack& b) { return a.each_lane(b, std::fmod); }
+
+    // No wider scalar has the special functions of <cmath>, so that kernels cannot be made of them.
+    friend void cyl_bessel_i(double order, const Pack& a) = delete;
+    friend void cyl_bessel_j(double order, const Pack& a) = delete;
+    friend void cyl_bessel_k(double order, const Pack& a) = delete;
+    friend void cyl_neumann(double order, const Pack& a) = delete;
+    friend void sph_bessel(unsigned order, const Pack& a) = delete;
+    friend void sph_neumann(unsigned order, const Pack& a) = delete;
+    friend void legendre(unsigned order, const Pack& a) = delete;
+    friend void hermite(unsigned order, const Pack& a) = delete;
+    friend void laguerre(unsigned order, const Pack& a) = delete;
+    friend void expint(const Pack& a) = delete;
+    friend void riemann_zeta(const Pack& a) = delete;
 };
 
 /// Does a comparison hold in every lane?

@@ -50,7 +50,7 @@ struct Operators<Scalar, 1> {
 
 /// Weights on \f$B(x_j) - B(x_i)\f$ of a formulation that gives both derivatives of a neighbourhood; columns
 /// in the order of the operators.
-template <class Scalar, int dim = 1>
+template <class Scalar = double, int dim = 1>
 struct Derivatives {
     Offsets<Scalar, dim> first;                       ///< in units of 1/h
     Offsets<Scalar, second_derivatives<dim>> second;  ///< in units of 1/h²

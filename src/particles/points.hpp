@@ -27,7 +27,7 @@ template <class Scalar, int dim = 1>
 using Offsets = Eigen::Array<Scalar, Eigen::Dynamic, dim, 0, most_neighbours<Scalar>, dim>;
 
 /// One number per particle, or per neighbour.
-template <class Scalar>
+template <class Scalar = double>
 using Column = Offsets<Scalar, 1>;
 
 /// The squared length of each offset.

@@ -45,6 +45,65 @@ TEST_CASE("pack: every operation is that of the lanes, to the last bit") {
     }
 }
 
+TEST_CASE("pack: every function is that of <cmath> in each lane, to the last bit") {
+    // Numbers of all signs, and numbers in each function's domain.
+    const Pack a = some(3), positive = exp(some(2)), small = some(0.9), large = 1 + positive;
+    const auto check = [](const Pack& found, const auto& function, const auto&... of) {
+        for (int lane = 0; lane < Pack::lanes; ++lane) CHECK(found[lane] == function(of[lane]...));
+    };
+#define IS_THAT_OF_LANES(function, ...) \
+    check(                              \
+        function(__VA_ARGS__), [](auto... x) { return std::function(x...); }, __VA_ARGS__)
+    IS_THAT_OF_LANES(sqrt, positive);
+    IS_THAT_OF_LANES(cbrt, a);
+    IS_THAT_OF_LANES(sin, a);
+    IS_THAT_OF_LANES(cos, a);
+    IS_THAT_OF_LANES(tan, a);
+    IS_THAT_OF_LANES(asin, small);
+    IS_THAT_OF_LANES(acos, small);
+    IS_THAT_OF_LANES(atan, a);
+    IS_THAT_OF_LANES(sinh, a);
+    IS_THAT_OF_LANES(cosh, a);
+    IS_THAT_OF_LANES(tanh, a);
+    IS_THAT_OF_LANES(asinh, a);
+    IS_THAT_OF_LANES(acosh, large);
+    IS_THAT_OF_LANES(atanh, small);
+    IS_THAT_OF_LANES(expm1, a);
+    IS_THAT_OF_LANES(log, positive);
+    IS_THAT_OF_LANES(log2, positive);
+    IS_THAT_OF_LANES(log10, positive);
+    IS_THAT_OF_LANES(log1p, positive);
+    IS_THAT_OF_LANES(erf, a);
+    IS_THAT_OF_LANES(erfc, a);
+    IS_THAT_OF_LANES(tgamma, positive);
+    IS_THAT_OF_LANES(floor, a);
+    IS_THAT_OF_LANES(ceil, a);
+    IS_THAT_OF_LANES(round, a);
+    IS_THAT_OF_LANES(trunc, a);
+    IS_THAT_OF_LANES(pow, positive, a);
+    IS_THAT_OF_LANES(atan2, a, small);
+    IS_THAT_OF_LANES(hypot, a, small);
+    IS_THAT_OF_LANES(fmod, a, small);
+#undef IS_THAT_OF_LANES
+    check(
+        pow(a, 3), [](double x) { return std::pow(x, 3); }, a);
+    check(
+        a.each_lane([](double x) { return x > 0 ? 1.0 : 0.0; }), [](double x) { return x > 0 ? 1.0 : 0.0; },
+        a);
+}
+
+TEST_CASE("pack: functions that no wider scalar has are refused by name, not by templates") {
+    const auto is_known = [](const auto& s) {
+        return requires {
+            cyl_bessel_i(0, s);
+        }
+        || requires {
+            expint(s);
+        };
+    };
+    CHECK_FALSE(is_known(some(1)));
+}
+
 TEST_CASE(
     "pack: a comparison holds everywhere only if it holds in each lane, and never for what is no number") {
     const Pack a = some(3);
