@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/quad.hpp"
 #include "base/text.hpp"
 #include "particles/close_pair.hpp"
 #include "particles/requirement.hpp"
@@ -18,8 +20,8 @@ using particles::Smoothing;
 
 namespace {
 
-/// What is required of the rows of a test.
-struct Required {
+/// What makes the rows of a test worth a table, for remedies.
+struct Criterion {
     const Source& source;
     RowsOf rows;
     double unit;  ///< of round-off
@@ -36,42 +38,15 @@ struct Required {
     }
 };
 
-/// The numbers of a column without that of particle i; a single number serves all.
-Column<double> without(const Column<double>& all, Index i) {
-    if (all.size() == 1) return all;
-    Column<double> rest(all.size() - 1);
-    rest << all.head(i), all.tail(all.size() - 1 - i);
-    return rest;
-}
-
-/// The same line without particle i, with the same smoothing lengths.
-Particles<double> left_out(const Particles<double>& discrete, Index i) {
-    const auto& [line, smoothing] = discrete;
-    Column<double> h(smoothing.is_local() ? line.size() : 1);
-    for (Index j = 0; j < h.size(); ++j) h[j] = smoothing.h(j);
-    const double ratio = smoothing.ratio().value_or(1);
-    return {Line<double>(without(line.x(), i), without(line.V(), i)),
-            Smoothing<double>(smoothing.kernel(), without(h / ratio, i), ratio)};
-}
-
-/// "particles 0 and 1 lie 0.001 apart, the next one 0.01; leave one of them out", where that helps.
-std::string fewer_particles(const Required& required, const Particles<double>& discrete, Index i) {
-    const std::string pair = particles::close_pair(discrete.line, i);
-    if (pair.empty()) return "";
-    const double apart = particles::distance_to_nearest(discrete.line, i, 1);
-    const int first = particles::pair_around(discrete.line, i, apart).front();
-    return required.holds_for(left_out(discrete, std::max(first, 1))) ? pair : "";
-}
-
 /// "--smoothing 2.2": of the larger and smaller smoothing lengths, in steps of a tenth, the closest that
 /// helps.
-std::string other_smoothing(const Required& required, const Particles<double>& discrete) {
+std::string other_smoothing(const Criterion& criterion, const Particles<double>& discrete) {
     const auto& [line, smoothing] = discrete;
     const double ratio = smoothing.ratio().value_or(1);
     for (int k = 1; k <= 10; ++k)
         for (const double factor : {std::pow(1.1, k), std::pow(1.1, -k)}) {
             const std::string rounded = shown(ratio * factor, 2);
-            if (required.holds_for({line, smoothing.times(std::stod(rounded) / ratio)}))
+            if (criterion.holds_for({line, smoothing.times(std::stod(rounded) / ratio)}))
                 return smoothing.ratio() ? "--smoothing " + rounded
                                          : "smoothing lengths " + rounded + " times as large";
         }
@@ -79,21 +54,25 @@ std::string other_smoothing(const Required& required, const Particles<double>& d
 }
 
 /// "--smoothing-from local", the first of some spacings that helps.
-std::string other_spacing(const Required& required, const Particles<double>& discrete) {
+std::string other_spacing(const Criterion& criterion, const Particles<double>& discrete) {
     return particles::other_spacing(discrete.line, discrete.smoothing,
                                     [&](const Smoothing<double>& smoothing) {
-                                        return required.holds_for({discrete.line, smoothing});
+                                        return criterion.holds_for({discrete.line, smoothing});
                                     });
 }
 
 /// What helps where the row of particle i is not worth a table: the end of a sentence.
 /// \param more another remedy, which was tried, or none
-std::string remedy(const Required& required, const Particles<double>& discrete, Index i,
+std::string remedy(const Criterion& criterion, const Particles<double>& discrete, Index i,
                    const std::string& more = "") {
-    const std::string fewer = fewer_particles(required, discrete, i);
+    const std::string fewer =
+        particles::fewer_particles(discrete.line, discrete.smoothing, i,
+                                   [&](const Line<double>& rest, const Smoothing<double>& smoothing) {
+                                       return criterion.holds_for({rest, smoothing});
+                                   });
     std::string tried;
     for (const std::string& one :
-         {other_smoothing(required, discrete), other_spacing(required, discrete), more})
+         {other_smoothing(criterion, discrete), other_spacing(criterion, discrete), more})
         if (!one.empty()) tried += (tried.empty() ? "" : " or ") + one;
     if (fewer.empty()) return tried.empty() ? "take other particles" : "try " + tried;
     return fewer + (tried.empty() ? "" : ", or try " + tried);
@@ -101,8 +80,11 @@ std::string remedy(const Required& required, const Particles<double>& discrete, 
 
 /// "--precision long": the first of the finer precisions in which round-off is small.
 std::string finer_precision(const Row& row) {
-    if (0x1p-63 * row.sum <= most_round_off / 10) return "--precision long";
-    return 0x1p-112 * row.sum <= most_round_off / 10 ? "--precision quad" : "";
+    const auto is_small = [&](auto unit) {
+        return static_cast<double>(unit) * row.sum <= most_round_off / 10;
+    };
+    if (is_small(std::numeric_limits<long double>::epsilon())) return "--precision long";
+    return is_small(std::numeric_limits<base::Quad>::epsilon()) ? "--precision quad" : "";
 }
 
 /// "second_order_fpm: at particle 3 (x = 0.1) "
@@ -127,7 +109,7 @@ Worst worst(const Source& source, const Particles<double>& discrete, RowsOf rows
 
 base::FailedComputation refusal(const Worst& worst, const Source& source, const Particles<double>& discrete,
                                 RowsOf rows, bool finer) {
-    const Required required{source, rows, worst.unit};
+    const Criterion criterion{source, rows, worst.unit};
     const auto& error = worst.by_error;
     const auto& round_off = worst.by_round_off;
     const std::string why =
@@ -135,11 +117,11 @@ base::FailedComputation refusal(const Worst& worst, const Source& source, const 
             ? place(source, discrete, error) + "the error of " + name(error) + " may reach R delta^" +
                   std::to_string(error.p()) + " |B^(" + std::to_string(error.exact + 1) +
                   ")| with R = " + shown(error.R, 3) + ", where " + shown(most(error)) +
-                  " is the most for a table; " + remedy(required, discrete, error.particle)
+                  " is the most for a table; " + remedy(criterion, discrete, error.particle)
             : place(source, discrete, round_off) + "round-off of " + name(round_off) + " may reach " +
                   shown(worst.round_off(), 2) + " |B|, where " + shown(most_round_off) +
                   " is the most for a table; " +
-                  remedy(required, discrete, round_off.particle, finer ? finer_precision(round_off) : "");
+                  remedy(criterion, discrete, round_off.particle, finer ? finer_precision(round_off) : "");
     base::FailedComputation refused(why);
     return refused;
 }

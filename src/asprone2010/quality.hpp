@@ -108,7 +108,7 @@ template <class Scalar>
 Worst worst(const particles::Operators<Scalar>& operators, const Exactness& exact,
             const numerical_tests::Particles<Scalar>& discrete, RowsOf rows) {
     const auto& [line, smoothing] = discrete;
-    const Column<Scalar> delta = spacing(discrete), one = Column<Scalar>::Ones(1);
+    const Column<Scalar> delta = spacing(discrete);
     const auto ratio = static_cast<double>(smoothing.h() / delta.maxCoeff());
     const Rows used = rows(line.size());
     Worst found;
@@ -116,9 +116,8 @@ Worst worst(const particles::Operators<Scalar>& operators, const Exactness& exac
     const auto look = [&, &line = line](const Operator<Scalar>& derivative, int k, int degree,
                                         const particles::Range& some) {
         if (some.size() <= 0) return;
-        // With m = -1, quality() is the sum of |w|.
         const Column<Scalar> R = particles::quality(derivative, line, k, degree, delta),
-                             sum = particles::quality(derivative, line, 0, -1, one);
+                             sum = particles::absolute_sums(derivative);
         const auto row_of_largest = [&](const Column<Scalar>& of) {
             Row row{0, 0, 0, k, degree, ratio};
             of.segment(some.first, some.size()).maxCoeff(&row.particle);

@@ -69,14 +69,14 @@ template <int dim>
 struct Monomials {
     int degree;
     Index number;
-    /// R of the derivatives of order k at a place: a function of ρ, h, the place and k.
-    std::function<double(double, double, const Point<dim>&, int)> quality;
+    /// R of the derivatives of order k at a place of a cloud: a function of the cloud, ρ, h, the place and k.
+    std::function<double(const particles::Cloud<dim>&, double, double, const Point<dim>&, int)> quality;
 };
 
-/// The monomials of degree m of a cloud, which must outlive them.
 template <int m, int dim>
-Monomials<dim> monomials_of_degree(const particles::Cloud<dim>& cloud) {
-    return {m, terms<dim, m>, [&cloud](double rho, double h, const Point<dim>& x, int k) {
+Monomials<dim> monomials_of_degree() {
+    return {m, terms<dim, m>,
+            [](const particles::Cloud<dim>& cloud, double rho, double h, const Point<dim>& x, int k) {
                 return quality_at<m>(cloud, particles::TruncatedGaussian<dim>(rho), x, h, k);
             }};
 }
@@ -114,7 +114,7 @@ bool serves(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
             const Column<double>& h, const Needs<dim>& needs, Index j) {
     const auto h_of = [&](Index i) { return h[h.size() == 1 ? 0 : i]; };
     const Point<dim> x = cloud.x().col(j);
-    if (!(monomials.quality(rho, h_of(j), x, needs.k_of(j)) < needs.most)) return false;
+    if (!(monomials.quality(cloud, rho, h_of(j), x, needs.k_of(j)) < needs.most)) return false;
     const Index neighbours = std::min<Index>(4 * dim, cloud.size() - 1);
     const double near = 1.01 * particles::distance_to_nearest(cloud, j, neighbours);
     const std::vector<int> around = cloud.within(x, near);
@@ -122,7 +122,8 @@ bool serves(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
         const Point<dim> to = cloud.x().col(i) - x;
         const double within_h = h_of(j) / std::max(to.norm(), h_of(j));
         for (const double part : {0.25, 0.5, 0.75, 1.0})
-            if (!(monomials.quality(rho, h_of(j), x + part * within_h * to, 0) < needs.most)) return false;
+            if (!(monomials.quality(cloud, rho, h_of(j), x + part * within_h * to, 0) < needs.most))
+                return false;
         return true;
     });
 }
@@ -140,7 +141,7 @@ std::string smoothing_remedy(const particles::Cloud<dim>& cloud, const Monomials
     if (least > graded * to_nth.minCoeff()) return "";
     const std::vector<Index> hardest = loneliest(to_nth);
     const auto enough = [&](double h) {
-        return monomials.quality(rho, h, needs.x, needs.k) < needs.most &&
+        return monomials.quality(cloud, rho, h, needs.x, needs.k) < needs.most &&
                std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
                    return serves(cloud, monomials, rho, Column<double>::Constant(1, h), needs, j);
                });
@@ -162,7 +163,7 @@ std::string nearest_remedy(const particles::Cloud<dim>& cloud, const Monomials<d
     for (Index K = 2; K < monomials.number; ++K) {
         const Column<double> h = particles::spacing(cloud, particles::Spacing::to_nearest(K));
         const std::vector<Index> hardest = loneliest(to_nth / h);
-        if (monomials.quality(rho, h[cloud.nearest(needs.x)], needs.x, needs.k) < needs.most &&
+        if (monomials.quality(cloud, rho, h[cloud.nearest(needs.x)], needs.x, needs.k) < needs.most &&
             std::all_of(hardest.begin(), hardest.end(),
                         [&](Index j) { return serves(cloud, monomials, rho, h, needs, j); }))
             return "--smoothing-from " + std::to_string(K) + "-nearest";
@@ -188,7 +189,7 @@ std::string scaling_remedy(const particles::Cloud<dim>& cloud, const Monomials<d
     const double reaching_n = std::floor(10 * needed * (1 + 1e-6) + 1);
     const double first = std::max(reaching_n, std::ceil(10 * rho + 5));
     const auto enough = [&](double scaling) {
-        return monomials.quality(scaling, needs.h, needs.x, needs.k) < needs.most &&
+        return monomials.quality(cloud, scaling, needs.h, needs.x, needs.k) < needs.most &&
                std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
                    return serves(cloud, monomials, scaling, needs.lengths, needs, j);
                });
@@ -200,6 +201,32 @@ std::string scaling_remedy(const particles::Cloud<dim>& cloud, const Monomials<d
     return "";
 }
 
+/// "particles 3 and 7 lie 0.001 apart, the next one 0.1; leave one of them out", where that helps.
+template <int dim>
+std::string fewer_particles(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
+                            const Needs<dim>& needs) {
+    const Index i = cloud.nearest(needs.x);
+    const auto pair = particles::close_pair(cloud, i);
+    if (!pair || cloud.size() <= monomials.number) return "";
+    const Index k = pair->first == i ? pair->second : pair->first;
+    const particles::Cloud<dim> rest = particles::without(cloud, k);
+    Needs<dim> left = needs;
+    const Column<double> lengths =
+        needs.lengths.size() > 0 ? needs.lengths : Column<double>::Constant(cloud.size(), needs.h);
+    left.lengths = particles::spacing_without(lengths, cloud, rest, k);
+    left.h = left.lengths[i < k ? i : i - 1];
+    if (!needs.derivative.empty()) left.derivative.erase(left.derivative.begin() + k);
+    std::vector<Index> hardest;
+    if (needs.lengths.size() > 0)
+        hardest = loneliest(
+            particles::spacing(rest, particles::Spacing::to_nearest(monomials.number - 1)) / left.lengths);
+    const bool helps = monomials.quality(rest, rho, left.h, left.x, left.k) < left.most &&
+                       std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
+                           return serves(rest, monomials, rho, left.lengths, left, j);
+                       });
+    return helps ? pair->advice() : "";
+}
+
 template <int dim>
 std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
                    const Needs<dim>& needs) {
@@ -207,8 +234,8 @@ std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& mon
     if (cloud.size() < monomials.number)
         return "take at least " + std::to_string(monomials.number) + " particles";
     const std::string larger_h = smoothing_remedy(cloud, monomials, rho, needs);
-    if (const std::string pair = particles::close_pair(cloud, cloud.nearest(x)); !pair.empty())
-        return pair + (larger_h.empty() ? "" : ", or try " + larger_h);
+    if (const std::string fewer = fewer_particles(cloud, monomials, rho, needs); !fewer.empty())
+        return fewer + (larger_h.empty() ? "" : ", or try " + larger_h);
     const std::string larger_rho = scaling_remedy(cloud, monomials, rho, needs);
     const std::string both = larger_rho + (larger_rho.empty() || larger_h.empty() ? "" : " or ") + larger_h;
     if (!both.empty()) return "try " + both;
@@ -246,7 +273,7 @@ Basis<dim, m> basis_or_refusal(const particles::Cloud<dim>& cloud,
     particles::Support<dim> support = support_at(cloud, kernel, x, h, among);
     const std::size_t found = support.particle.size();
     const auto refused = [&](const std::string& why) {
-        return refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs(), found, why);
+        return refusal(cloud, monomials_of_degree<m, dim>(), kernel.rho(), needs(), found, why);
     };
     if (found < static_cast<std::size_t>(terms<dim, m>)) throw refused("");
     try {
@@ -298,7 +325,7 @@ particles::WorstRow require_quality(const particles::Cloud<dim>& cloud,
         const auto around = cloud.around(needs.x, kernel.rho() * needs.h);
         const auto basis =
             basis_or_refusal<m>(cloud, kernel, needs.x, needs.h, around, Slopes::none, [&] { return needs; });
-        throw refusal(cloud, monomials_of_degree<m>(cloud), kernel.rho(), needs, basis.particle().size(),
+        throw refusal(cloud, monomials_of_degree<m, dim>(), kernel.rho(), needs, basis.particle().size(),
                       may_err(needs.k, m, R[refused]));
     }
     particles::WorstRow worst;

@@ -24,14 +24,13 @@ void add_quality(CommandLine& app, Options& options) {
 
 template <class Scalar>
 Row require_quality(const Options& options, const Case& one, const Particles<Scalar>& discrete,
-                    const Operators<Scalar>& operators, const Required& required) {
+                    const Operators<Scalar>& operators, const TestRows& used) {
     const auto& second = formulation_named(one.formulation);
-    const auto& first = required.end.empty() ? second : formulation_named(required.end);
+    const auto& first = used.end.empty() ? second : formulation_named(used.end);
     const asprone2010::quality::Source source{first, second};
-    const auto worst = asprone2010::quality::worst(operators, source.exact(), discrete, required.rows);
+    const auto worst = asprone2010::quality::worst(operators, source.exact(), discrete, used.rows);
     if (!asprone2010::quality::worth_a_table(worst))
-        throw asprone2010::quality::refusal(worst, source, line_of(options, one), required.rows,
-                                            required.finer);
+        throw asprone2010::quality::refusal(worst, source, line_of(options, one), used.rows, used.finer);
     return worst.by_error;
 }
 
@@ -67,7 +66,7 @@ void Quality::add_comment(report::Table& table) const {
 }
 
 template Row require_quality(const Options&, const Case&, const Particles<double>&, const Operators<double>&,
-                             const Required&);
+                             const TestRows&);
 template std::vector<Cell> Quality::cells(const Case&, const Particles<double>&, const Operators<double>&,
                                           const std::string&);
 template std::vector<Cell> Quality::cells(const Case&, const Particles<long double>&,

@@ -14,20 +14,21 @@ namespace command_line {
 /// Adds `--quality` to a numerical test.
 void add_quality(CommandLine& app, Options& options);
 
-/// What a test requires of its operators.
-struct Required {
-    asprone2010::quality::RowsOf rows;  ///< those that it uses
+/// The rows that a test uses.
+struct TestRows {
+    asprone2010::quality::RowsOf rows;  ///< of D and D²
     std::string end{};                  ///< the formulation of D, if it is another one
     bool finer = false;                 ///< whether `--precision` can be asked for
 };
 
 /// \param discrete the particles of the case \param operators those of its formulation, as the test uses them
+/// \param used the rows that it uses
 /// \return the worst row \throws base::FailedComputation as asprone2010::quality::refusal()
 template <class Scalar>
 asprone2010::quality::Row require_quality(const Options& options, const Case& one,
                                           const asprone2010::numerical_tests::Particles<Scalar>& discrete,
                                           const particles::Operators<Scalar>& operators,
-                                          const Required& required);
+                                          const TestRows& used);
 
 /// Refuses cases that are not worth a table, and shows with `--quality` how good the others are.
 class Quality {

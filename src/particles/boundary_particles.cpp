@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -174,6 +175,7 @@ void check_particles(const Cloud<2>& cloud, const Region& region, double size) {
 Snapped snapped(Points<2> x, const Region& region, double distance) {
     if (!(std::isfinite(distance) && distance > 0))
         throw InvalidInput("the distance to snap must be positive and finite, got " + shown(distance));
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     Snapped result{std::move(x)};
     for (auto place : result.x.colwise()) {
         const auto [curve, away] = nearest_part(region, place);
@@ -182,9 +184,9 @@ Snapped snapped(Points<2> x, const Region& region, double distance) {
         for (const Curve& any : region)
             for (const Point<2>& end : ends(any))
                 if ((end - place).norm() <= distance) there = end;
-        const double way = (there - place).norm();
-        if (way == 0) continue;
+        const double way = (there - place).norm(), round_off = 4 * epsilon * there.norm();
         place = there;
+        if (way <= round_off) continue;
         ++result.moved;
         result.farthest = std::max(result.farthest, way);
     }

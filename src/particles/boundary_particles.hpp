@@ -22,7 +22,7 @@ void check_particles(const Cloud<2>& cloud, const Region& region, double size);
 /// Particles some of which were moved onto the boundary.
 struct Snapped {
     Points<2> x;
-    Index moved = 0;
+    Index moved = 0;      ///< how many, by more than round-off
     double farthest = 0;  ///< largest distance by which one was moved [length]
 };
 

@@ -38,17 +38,6 @@ Scalar quality(const Column<Scalar>& w, const Offsets<Scalar, dim>& r, int exact
     return term.sum();
 }
 
-/// \f$|x_j - x_i|\f$
-template <class Scalar>
-Scalar distance(const Line<Scalar>& line, Index i, Index j) {
-    using std::abs;
-    return abs(line.x()[j] - line.x()[i]);
-}
-template <int dim>
-double distance(const Cloud<dim>& cloud, Index i, Index j) {
-    return (cloud.x().col(j) - cloud.x().col(i)).norm();
-}
-
 /// The quality number of each row of an operator, as above.
 /// \param points the line or cloud of the operator
 /// \param derivative k, the order of the derivative that the operator approximates
@@ -79,6 +68,20 @@ Column<Scalar> quality(const Operator<Scalar>& D, const Points& points, int deri
         for (int k = 0; k < derivative; ++k) R[i] *= delta;
     });
     return R;
+}
+
+/// \f$\sum_j |w_j|\f$ of each row, by which round-off of B is multiplied: \f$DB(x_i) = \sum_j w_j\,[B(x_j) -
+/// B(x_i)]\f$. [as the weights]
+template <class Scalar>
+Column<Scalar> absolute_sums(const Operator<Scalar>& D) {
+    Column<Scalar> sums(D.rows());
+    for_each_index(D.rows(), [&](Index i) {
+        using std::abs;
+        sums[i] = Scalar(0);
+        for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry)
+            sums[i] += abs(entry.value());
+    });
+    return sums;
 }
 
 /// The row that may err most.

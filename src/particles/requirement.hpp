@@ -122,9 +122,12 @@ std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing
                    const Requirement& required, const Weights& weights) {
     if (points.size() < required.particles)
         return "take at least " + std::to_string(required.particles) + " particles";
-    const std::string pair = close_pair(points, i),
-                      other = other_smoothing(points, smoothing, required, weights);
-    if (!pair.empty()) return pair + (other.empty() ? "" : ", or try " + other);
+    const std::string other = other_smoothing(points, smoothing, required, weights),
+                      fewer = fewer_particles(
+                          points, smoothing, i, [&](const Points&rest, const auto&smoothing_of_rest) {
+                              return determined(rest, smoothing_of_rest, required, weights);
+                          });
+    if (!fewer.empty()) return fewer + (other.empty() ? "" : ", or try " + other);
     if (!other.empty()) return "try " + other;
     const std::string from = other_spacing(points, smoothing, [&](const Smoothing<Scalar, dim>& tried) {
         return determined(points, tried, required, weights);

@@ -95,6 +95,17 @@ inline void require_others(Index k, Index N) {
 
 }  // namespace detail
 
+/// \f$|x_j - x_i|\f$
+template <class Scalar>
+Scalar distance(const Line<Scalar>& line, Index i, Index j) {
+    using std::abs;
+    return abs(line.x()[j] - line.x()[i]);
+}
+template <int dim>
+double distance(const Cloud<dim>& cloud, Index i, Index j) {
+    return (cloud.x().col(j) - cloud.x().col(i)).norm();
+}
+
 /// The distance from particle i to the farthest of the k nearest others, 0 < k < N.
 template <class Scalar>
 Scalar distance_to_nearest(const Line<Scalar>& line, Index i, Index k) {

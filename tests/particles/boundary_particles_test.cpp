@@ -208,3 +208,13 @@ TEST_CASE("boundary_particles: snapping takes a corner before a side, and leaves
     for (const double none : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
         CHECK_THROWS_AS(snapped(x, quarter(), none), base::InvalidInput);
 }
+
+TEST_CASE("boundary_particles: moves by round-off are not counted") {
+    const double angle = 0.4;
+    Points<2> x(2, 3);
+    x << 0.3 * std::cos(angle) + 5e-17, 3 + 4e-16, 1.5,  //
+        0.3 * std::sin(angle), 1, 1e-12;
+    const auto [there, moved, farthest] = snapped(x, quarter(), 1e-3);
+    CHECK(moved == 1);
+    CHECK(farthest == doctest::Approx(1e-12));
+}

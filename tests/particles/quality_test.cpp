@@ -101,6 +101,14 @@ TEST_CASE("quality: a spacing of each particle measures its own row") {
     CHECK((R * delta.square() / one - 1).abs().maxCoeff() < 1e-12);
 }
 
+TEST_CASE("quality: absolute sums are those of the weights, by which round-off is multiplied") {
+    Operator<> D(2, 3);
+    D.insert(0, 0) = -3;
+    D.insert(0, 2) = 2;
+    D.insert(1, 1) = 0.5;
+    CHECK((absolute_sums(D) == Column<>{{5, 0.5}}).all());
+}
+
 TEST_CASE("quality: an operator of other particles and another number of spacings are refused") {
     const Cloud<1> cloud(particles_in_cube<1>()), fewer(cloud.x().leftCols(50));
     const auto D = operators_on(cloud).D;
