@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "command_line/formulations.hpp"
 #include "command_line/lists.hpp"
+#include "command_line/orders.hpp"
 #include "command_line/positions.hpp"
 #include "command_line/sweep.hpp"
 #include "report/file.hpp"
@@ -153,13 +154,45 @@ void add_precision(CommandLine& app, Options& options) {
         .type_name("NAME");
 }
 
+namespace {
+
+/// \throws InvalidInput for an option that changes nothing
+/// \param wanted formulations \param extra names beside those of formulations: finite elements
+void check_effect(const Options& options, const std::vector<std::string>& wanted,
+                  const std::vector<std::string>& extra) {
+    const auto moved = [](double a) { return a != 0; };
+    if (std::none_of(options.perturbations.begin(), options.perturbations.end(), moved))
+        for (const auto& [option, given] :
+             {std::pair{"--seeds", options.seeds > 1}, {"--seed", options.seed != 1}})
+            if (given)
+                throw InvalidInput(std::string(option) +
+                                   " changes nothing without a perturbation; add --perturb 0.25, say");
+    const Options untouched;
+    const bool volumes = options.volumes != untouched.volumes;
+    const auto all = [&](const auto& holds) { return std::all_of(wanted.begin(), wanted.end(), holds); };
+    if (all([&](const std::string& name) {
+            return std::find(extra.begin(), extra.end(), name) != extra.end();
+        }))
+        for (const auto& [option, given] :
+             {std::pair{"--kernel", options.kernel != untouched.kernel},
+              {"--smoothing", options.smoothing != untouched.smoothing},
+              {"--smoothing-from", options.smoothing_from != untouched.smoothing_from},
+              {"--volumes", volumes}})
+            if (given)
+                throw InvalidInput(
+                    std::string(option) +
+                    " changes nothing for finite elements; add a --formulation of particles, or leave " +
+                    option + " out");
+    if (volumes && all([](const std::string& name) { return name == "ssph"; }))
+        throw InvalidInput("--volumes changes nothing for ssph; leave it out, or add another --formulation");
+}
+
+}  // namespace
+
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
     const std::vector<std::string> wanted =
         chosen("formulation", options.formulations, known_formulations(extra));
-
-    const auto moved = [](double a) { return a != 0; };
-    if (options.seeds > 1 && std::none_of(options.perturbations.begin(), options.perturbations.end(), moved))
-        throw InvalidInput("--seeds changes nothing without a perturbation; add --perturb 0.25, say");
+    check_effect(options, wanted, extra);
     if (options.seeds - 1 > largest_seed - options.seed)
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
@@ -309,7 +342,13 @@ report::Table errors_or_states(Options& options, const std::function<report::Tab
     if (along_x) options.figure.script = script;
     if (options.states) return states();
     if (along_x && !options.figure.path.empty()) options.figure.table = states();
-    return errors();
+    report::Table table = errors();
+    if (is_standard_output(options.output)) {
+        const std::size_t spacing = table.column("spacing");
+        add_orders(table, {"formulation", "perturbation", "seed"},
+                   [&table, spacing](std::size_t row) { return std::get<double>(table.rows[row][spacing]); });
+    }
+    return table;
 }
 
 std::vector<std::string> header_comments(const Options& options) {

@@ -97,7 +97,8 @@ void tabulate_states(report::Table& table, const Options& options,
                      const std::function<std::vector<std::vector<report::Cell>>(const Case&)>& compute);
 
 /// The table that is asked for: of largest errors, or with --states of each particle. Where positions come
-/// from a file, --plot draws the states, since the largest errors are one point.
+/// from a file, --plot draws the states, since the largest errors are one point. Largest errors that go to
+/// the standard output have their observed orders beside them.
 /// \param script of a figure of states
 report::Table errors_or_states(Options& options, const std::function<report::Table()>& errors,
                                const std::function<report::Table()>& states, const std::string& script);

@@ -1,6 +1,7 @@
 #include "command_line/example_problems.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -142,6 +143,32 @@ void check_cloud(double particles, double neighbours) {
                                     "take fewer particles or a smaller --scaling");
 }
 
+namespace {
+
+bool is_weak(const std::string& method) {
+    return method.starts_with("weak");
+}
+
+/// \throws InvalidInput for an option that changes nothing
+void check_effect(const ExampleOptions& options, const std::vector<std::string>& methods) {
+    const ExampleOptions untouched;
+    const bool weak = std::any_of(methods.begin(), methods.end(), is_weak);
+    for (const auto& [option, changed] : {std::pair{"--gauss", options.gauss != untouched.gauss},
+                                          {"--test-scaling", options.test_scaling != untouched.test_scaling},
+                                          {"--penalty", options.penalty != untouched.penalty}})
+        if (changed && !weak)
+            throw InvalidInput(std::string(option) +
+                               " belongs to the weak forms; add weak1 or weak2 to --method, or leave " +
+                               option + " out");
+    const std::string& states = options.states;
+    const bool on_a_line =
+        !states.empty() && states != "particles" && std::isalpha(static_cast<unsigned char>(states.front()));
+    if (options.points != untouched.points && !on_a_line)
+        throw InvalidInput("--points belongs to a line of --states; name one, or leave --points out");
+}
+
+}  // namespace
+
 std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                const std::function<double(const elastostatics::Material&)>& penalty) {
     if (options.seconds && !options.states.empty())
@@ -151,6 +178,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
     check_apart({{"--output", options.output}, {"--field", options.field}});
     check_apart({{"--plot", options.figure.path}, {"--field", options.field}});
     const std::vector<std::string> methods = chosen("method", options.methods, {"strong", "weak1", "weak2"});
+    check_effect(options, methods);
     const auto plane = elastostatics::plane_named(options.plane);
     const particles::Spacing smoothing_from = spacing_from(options.smoothing_from);
     if (smoothing_from.kind == particles::Spacing::given)
@@ -181,6 +209,10 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                     for (const double test_scaling : options.test_scaling)
                         for (const long gauss : options.gauss)
                             for (const double factor : options.penalty) {
+                                const bool first = test_scaling == options.test_scaling.front() &&
+                                                   gauss == options.gauss.front() &&
+                                                   factor == options.penalty.front();
+                                if (!first && !is_weak(method)) continue;  // collocation takes none of them
                                 const auto material = elastostatics::checked({E, nu, plane});
                                 all.push_back({{example_problems::method_named(method), scaling,
                                                 static_cast<int>(degree), factor * penalty(material),
@@ -355,7 +387,8 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
         const example_problems::Solution solution = solved(problem, cloud, one.how, about);
         const Solved found{problem, cloud, solution};
         const double noise = example_problems::noise(cloud, solution);
-        warn_of(noise, one, cloud);
+        warn_of(noise, named);
+        note_quality(about.worst, named, cloud);
         Rows rows{named};
         if (!options_.states.empty()) {
             rows = state_rows(named, found, at);
@@ -370,17 +403,43 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
     });
 }
 
-void ExampleTable::warn_of(double noise, const ExampleCase& one, const Cloud<2>& cloud) {
+std::string ExampleTable::in_words(const std::vector<Cell>& named) const {
+    const report::Table one{{}, table_.columns, {named}};
+    std::string words = one.word(0, "method") + ", " + one.word(0, "particles") + " particles, scaling " +
+                        one.word(0, "scaling");
+    std::vector<std::string> others{"poisson"};
+    for (std::size_t k = case_columns().size(); k < named.size(); ++k)
+        others.push_back(table_.columns[k].name);
+    for (const std::string& name : options_.quality ? others : std::vector<std::string>{})
+        if (const std::string word = one.word(0, name); !word.empty()) words += ", " + name + " " + word;
+    return words;
+}
+
+void ExampleTable::warn_of(double noise, const std::vector<Cell>& named) {
     if (!(noise > example_problems::most_noise)) return;
     ++noisy_;
     if (noise <= most_noise_) return;
     most_noise_ = noise;
-    noisiest_ = example_problems::name(one.how.method) + ", " + std::to_string(cloud.size()) +
-                " particles, scaling " + base::shown(one.how.scaling);
+    noisiest_ = in_words(named);
+}
+
+void ExampleTable::note_quality(const particles::WorstRow& row, const std::vector<Cell>& named,
+                                const Cloud<2>& cloud) {
+    if (row.R <= largest_R_) return;
+    largest_R_ = row.R;
+    constexpr std::array derivatives{"value", "first derivative", "second derivative"};
+    worst_row_ = base::shown(row.R, 3) + ", " + in_words(named) + ", " +
+                 derivatives[static_cast<std::size_t>(row.derivative)] + " at particle " +
+                 std::to_string(row.particle) +
+                 " (x = " + particles::shown_point(cloud.x().col(row.particle)) + ")";
 }
 
 report::Table ExampleTable::finished() {
     sweep_.finish();
+    if (options_.quality)
+        table_.comments.push_back(
+            "quality: R of the worst derivative at a particle of a case, the factor in the bound of its error in powers of h; the largest is " +
+            worst_row_);
     if (noisy_ > 0)
         table_.comments.push_back(
             "noise: the unknowns alternate between neighbours, and stresses may be wrong, in " +

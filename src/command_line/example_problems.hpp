@@ -129,7 +129,10 @@ class ExampleTable {
     report::Table finished();
 
   private:
-    void warn_of(double noise, const ExampleCase& one, const batra2008::Cloud<2>& cloud);
+    [[nodiscard]] std::string in_words(const std::vector<report::Cell>& named) const;
+    void warn_of(double noise, const std::vector<report::Cell>& named);
+    void note_quality(const particles::WorstRow& row, const std::vector<report::Cell>& named,
+                      const batra2008::Cloud<2>& cloud);
 
     ExampleOptions options_;
     FieldFile field_;
@@ -138,6 +141,8 @@ class ExampleTable {
     long noisy_ = 0;  ///< number of cases
     double most_noise_ = 0;
     std::string noisiest_;  ///< the case of it
+    double largest_R_ = 0;
+    std::string worst_row_;  ///< of it, with its case and its place
 };
 
 }  // namespace command_line

@@ -50,12 +50,32 @@ void check_unit(const std::string& name, const Points<2>& x) {
                                ", as the quarter does in " + unit + "; write its positions in m");
 }
 
+/// ", such as 0.02": a smaller distance that keeps particles apart; empty if none is found.
+std::string smaller_snap(const Points<2>& x, const particles::Region& boundary, double distance) {
+    for (int k = 1; k <= 30; ++k) {
+        const std::string smaller = base::shown(std::ldexp(distance, -k), 2);
+        try {
+            static_cast<void>(particles::Cloud<2>(particles::snapped(x, boundary, std::stod(smaller)).x));
+            return ", such as " + smaller;
+        } catch (const InvalidInput&) {
+        }
+    }
+    return "";
+}
+
 /// A layout whose particles within a distance of the boundary are moved onto it.
 Layout snapped(Layout layout, const QuarterWithHole& shape, double distance) {
     using namespace batra2008;
     if (distance == 0) return layout;
     const auto boundary = elastostatics::region(hole::problem({hole::E, hole::nu}, shape));
-    auto [there, moved, farthest] = particles::snapped(std::move(layout.x), boundary, distance);
+    static_cast<void>(particles::Cloud<2>(layout.x));  // which refuses particles that coincide in the file
+    auto [there, moved, farthest] = particles::snapped(layout.x, boundary, distance);
+    try {
+        static_cast<void>(particles::Cloud<2>(there));
+    } catch (const InvalidInput& coincide) {
+        throw InvalidInput("--snap " + base::shown(distance) + ": then " + coincide.what() +
+                           "; take a smaller distance" + smaller_snap(layout.x, boundary, distance));
+    }
     layout.x = std::move(there);
     layout.about = layout.name + ": " + std::to_string(moved) + " particles moved onto the boundary, by " +
                    base::shown(farthest, 3) + " m at most";
@@ -63,6 +83,10 @@ Layout snapped(Layout layout, const QuarterWithHole& shape, double distance) {
 }
 
 }  // namespace
+
+bool is_drawn(const std::string& name) {
+    return graded(name).has_value();
+}
 
 Layouts::Layouts(const std::vector<std::string>& names, const std::vector<std::string>& columns, double snap,
                  double scaling)

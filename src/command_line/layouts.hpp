@@ -17,6 +17,9 @@ struct Layout {
     std::string about{};  ///< what was done to its particles
 };
 
+/// Whether another draw of the layout of this name is another layout.
+bool is_drawn(const std::string& name);
+
 /// The layouts that `--layout` names: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays
 /// of R particles; or a file of positions.
 class Layouts {

@@ -24,6 +24,10 @@ std::string in_full(const std::string& option, const std::string& file) {
 
 }  // namespace
 
+bool is_standard_output(const std::string& output) {
+    return in_full("--output", output) == "-";
+}
+
 void check_apart(const std::vector<std::pair<std::string, std::string>>& files) {
     std::error_code none;
     for (std::size_t a = 0; a < files.size(); ++a)

@@ -24,6 +24,9 @@ auto in_precision(const std::string& name, const Work& work) {
                                                {{"double", 0.0}, {"long", 0.0L}, {"quad", base::Quad(0)}}));
 }
 
+/// Whether `--output` leads to the standard output.
+bool is_standard_output(const std::string& output);
+
 /// Refuses options that name the same file, since one would overwrite the other. Devices may be shared.
 /// \param files options with the files that they name \throws base::InvalidInput
 void check_apart(const std::vector<std::pair<std::string, std::string>>& files);

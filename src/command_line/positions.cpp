@@ -1,6 +1,7 @@
 #include "command_line/positions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -97,6 +98,35 @@ Column<double> read_positions(const std::string& path, const std::vector<std::st
 
 namespace {
 
+/// "a,b" or "2,3": two columns that may be positions. Those of particles' numbers are none: whole numbers, of
+/// which a first column may have the name.
+std::string two_columns(const Columns& file) {
+    const std::vector<std::string_view> names = file.names();
+    const std::size_t count = file.rows().front().entries().size();
+    const bool named = names.size() == count;
+    const auto is_whole = [&](std::size_t place) {
+        return std::all_of(file.rows().begin(), file.rows().end(), [&](const Columns::Row& row) {
+            const auto entries = row.entries();
+            return place >= entries.size() || entries[place].find_first_of(".eE") == std::string_view::npos;
+        });
+    };
+    std::vector<std::size_t> places;
+    for (std::size_t place = 0; place < count; ++place)
+        if (!is_whole(place)) places.push_back(place);
+    if (places.size() < 2) {
+        constexpr std::array<std::string_view, 7> of_numbers{"id", "ID",       "index", "number",
+                                                             "no", "particle", "node"};
+        const bool counted = file.counts_rows(0) || (named && std::find(of_numbers.begin(), of_numbers.end(),
+                                                                        names[0]) != of_numbers.end());
+        places = counted ? std::vector<std::size_t>{1, 2} : std::vector<std::size_t>{0, 1};
+    }
+    const auto column = [&](std::size_t place) {
+        const bool has_name = named && !names[place].empty() && names[place].front() != '"';
+        return has_name ? std::string(names[place]) : std::to_string(place + 1);
+    };
+    return column(places[0]) + "," + column(places[1]);
+}
+
 /// Refuses a layout that does not have two columns, with those that may be meant.
 void check_two_columns(const Columns& file) {
     const Columns::Row& row = file.rows().front();
@@ -104,11 +134,11 @@ void check_two_columns(const Columns& file) {
     if (count == 2) return;
     const bool whole = row.text.find_first_not_of("0123456789,-") == std::string_view::npos;
     file.refuse(row, row.text,
-                count == 1 ? "has 1 column; a layout needs x,y"
-                           : "has " + std::to_string(count) +
-                                 " columns; a layout needs x,y: choose them, such as --columns " +
-                                 (file.counts_rows(0) ? "2,3" : "1,2") +
-                                 (whole ? "; or, if its commas are decimal, write points" : ""));
+                count == 1
+                    ? "has 1 column; a layout needs x,y"
+                    : "has " + std::to_string(count) +
+                          " columns; a layout needs x,y: choose them, such as --columns " +
+                          two_columns(file) + (whole ? "; or, if its commas are decimal, write points" : ""));
 }
 
 }  // namespace
@@ -132,10 +162,11 @@ Points<2> read_points(const std::string& path, const std::vector<std::string>& c
     for (const Columns::Row& row : file.rows()) {
         if (!chosen) check_count(file, row);
         if (const std::size_t count = row.entries().size(); chosen && columns.empty() && count != header)
-            file.refuse(
-                row, row.text,
-                "has " + std::to_string(count) + " columns, the header " + std::to_string(header) +
-                    (&row == &file.rows().front() ? "; choose two by number, such as --columns 1,2" : ""));
+            file.refuse(row, row.text,
+                        "has " + std::to_string(count) + " columns, the header " + std::to_string(header) +
+                            (&row == &file.rows().front()
+                                 ? "; choose two by number, such as --columns " + two_columns(file)
+                                 : ""));
         for (const std::size_t place : places) x.push_back(file.number(row, place));
     }
     return Eigen::Map<Points<2>>(x.data(), 2, static_cast<Index>(x.size() / 2));

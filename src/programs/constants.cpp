@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -5,6 +6,7 @@
 #include "asprone2010/in_quad.hpp"
 #include "asprone2010/leading_error.hpp"
 #include "asprone2010/round_off.hpp"
+#include "base/text.hpp"
 #include "command_line/formulations.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
@@ -20,6 +22,8 @@ using numerical_tests::Discretisation;
 struct Lists {
     std::vector<std::string> formulations{"all"}, kernels{"all"}, volumes{"equal"};
     std::vector<double> smoothings{1, 1.5, 2};
+
+    bool operator==(const Lists&) const = default;
 };
 
 /// A row of an operator.
@@ -64,9 +68,15 @@ std::vector<Place> places(const Lists& lists) {
     return all;
 }
 
+/// A row, and why it has no numbers, if it has none.
+struct Row {
+    std::vector<report::Cell> cells;
+    std::string failure{};
+};
+
 /// The leading error, as the stencil has it and as exp shows it; empty where the neighbourhood has too few
 /// particles.
-std::vector<report::Cell> row(const Place& place) {
+Row row(const Place& place) {
     std::vector<report::Cell> cells{
         place.formulation,
         place.kernel,
@@ -80,9 +90,9 @@ std::vector<report::Cell> row(const Place& place) {
     std::optional<limit_stencils::Stencil<Quad>> stencil;
     try {
         stencil = limit_stencils::near_end(formulation, how, from_end, place.derivative);
-    } catch (const base::FailedComputation&) {  // too few neighbours
+    } catch (const base::FailedComputation& failed) {  // too few neighbours
         cells.resize(11);
-        return cells;
+        return {cells, failed.what()};
     }
     const auto [exponent, constant] = limit_stencils::leading_error(*stencil, place.derivative);
     const Quad measured =
@@ -91,7 +101,22 @@ std::vector<report::Cell> row(const Place& place) {
                  {static_cast<long>(exponent), static_cast<double>(constant), static_cast<double>(measured),
                   static_cast<double>(abs(measured / constant - 1)),
                   static_cast<double>(limit_stencils::amplification(*stencil))});
-    return cells;
+    return {cells};
+}
+
+/// "empty: second_order_fpm with wendland_c4, h/delta 1.2, volumes equal: a particle has 3 neighbours within
+/// 2h, needs 4; try --smoothing 1.6", once for the rows of each formulation, kernel, h/δ and volumes.
+std::vector<std::string> why_empty(const std::vector<Place>& all, const std::vector<Row>& rows) {
+    std::vector<std::string> comments;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::string& failure = rows[k].failure;
+        if (failure.empty()) continue;
+        const std::string of = "empty: " + all[k].formulation + " with " + all[k].kernel + ", h/delta " +
+                               base::shown(all[k].smoothing) + ", volumes " + all[k].volumes;
+        if (!comments.empty() && comments.back().starts_with(of + ": ")) continue;
+        comments.push_back(of + ": a particle" + failure.substr(failure.find(" has ")));
+    }
+    return comments;
 }
 
 report::Table leading_errors(const Lists& lists) {
@@ -111,7 +136,16 @@ report::Table leading_errors(const Lists& lists) {
                      {"measured", {1e-6, 1e-9}},
                      {"relative_difference", {1, 1e-6}},
                      {"amplification", {1e-9, 0}}};
-    table.rows = command_line::computed_in_parallel(places(lists), row);
+    const std::vector<Place> all = places(lists);
+    const std::vector<Row> rows = command_line::computed_in_parallel(all, row);
+    for (const Row& one : rows) table.rows.push_back(one.cells);
+    // The table of everything has many such rows, for one reason; where cases were chosen, each says why.
+    if (lists == Lists{}) return table;
+    table.comments.pop_back();
+    const std::vector<std::string> comments = why_empty(all, rows);
+    table.comments.insert(table.comments.end(), comments.begin(), comments.end());
+    if (std::all_of(rows.begin(), rows.end(), [](const Row& one) { return !one.failure.empty(); }))
+        throw base::FailedComputation("no case has numbers; " + comments.front().substr(7));
     return table;
 }
 

@@ -63,6 +63,12 @@ report::Table table_of(const Options& options) {
         command_line::check_apart_from_outputs(options, "--layout", layout);
     const command_line::Layouts layouts(options.layouts, options.columns, options.snap,
                                         *std::max_element(options.scaling.begin(), options.scaling.end()));
+    const bool any_drawn =
+        std::any_of(options.layouts.begin(), options.layouts.end(), command_line::is_drawn);
+    if (!any_drawn && (options.draw != 1 || options.draws != 1))
+        throw base::InvalidInput(
+            std::string(options.draws != 1 ? "--draws" : "--draw") +
+            " changes nothing without a graded layout; add one, such as --layout graded-188-11");
     for (const double radius : options.radii) static_cast<void>(hole::checked({radius}));
     command_line::ExampleTable table(
         options, cases,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "command_line/example_problems.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
+#include "command_line/orders.hpp"
 #include "command_line/progress.hpp"
 
 namespace {
@@ -108,8 +110,35 @@ std::vector<Cell> errors(const command_line::Solved& solved, long nx, long ny) {
     return {dn, nd, plate::largest_error_u2(cloud, solution, problem)};
 }
 
+/// \throws base::InvalidInput for conditions at the corners without collocation, which alone imposes them
+void check_corners(const Options& options, const std::vector<ExampleCase>& cases) {
+    const bool strong = std::any_of(cases.begin(), cases.end(),
+                                    [](const ExampleCase& one) { return one.how.method == Method::strong; });
+    for (std::size_t k = 0; k < options.corners.size(); ++k)
+        if (const std::string option = "--corner-" + std::to_string(k + 1);
+            !strong && options.corners[k] != Options().corners[k])
+            throw base::InvalidInput(option + " belongs to collocation; add strong to --method, or leave " +
+                                     option + " out");
+}
+
+/// Adds the observed orders between grids, of which both distances between particles change.
+void add_orders(report::Table& table) {
+    std::vector<std::string> same;
+    for (const auto& column : command_line::case_columns())
+        if (column.name != "particles") same.push_back(column.name);
+    for (const char* corner : {"corner_1", "corner_2", "corner_3", "corner_4"}) same.emplace_back(corner);
+    const std::size_t nx = table.column("nx"), ny = table.column("ny");
+    command_line::add_orders(table, same, [&table, nx, ny](std::size_t row) {
+        const auto gaps = [&](std::size_t n) {
+            return static_cast<double>(std::get<long>(table.rows[row][n]) - 1);
+        };
+        return 1 / std::sqrt(gaps(nx) * gaps(ny));
+    });
+}
+
 report::Table table_of(const Options& options) {
     const auto cases = command_line::cases(options, plate::E, plate::penalty);
+    check_corners(options, cases);
     const std::vector<plate::Corners> choices = choices_of(options.corners);
     if (!options.figure.path.empty()) check_drawable(options, cases, choices.size());
     const auto grids = grids_of(options);
@@ -133,7 +162,9 @@ report::Table table_of(const Options& options) {
                         return errors(solved, nx, ny);
                     });
             }
-    return table.finished();
+    report::Table found = table.finished();
+    if (options.states.empty() && command_line::is_standard_output(options.output)) add_orders(found);
+    return found;
 }
 
 }  // namespace

@@ -83,6 +83,9 @@ TEST_CASE("cases: bad invocations end with code 2 and one line that names the ca
         check_refused(program + " --seed 0", 2, "--seed");
         check_refused(program + " --seed 4294967296", 2, "--seed");
         check_refused(program + " --seed 4294967295 --seeds 2 --perturb 0.1", 2, "take a smaller --seed");
+        check_refused(program + " --seed 7", 2, "--seed changes nothing without a perturbation");
+        check_refused(program + " --formulation ssph --volumes partition", 2,
+                      "--volumes changes nothing for ssph");
         check_refused(program + " --nonsense", 2, "--nonsense");
         check_refused(program + " file", 2, "file");
     }

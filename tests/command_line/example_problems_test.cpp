@@ -106,6 +106,19 @@ TEST_CASE("example_problems: --quality adds R of the worst derivative and the no
     CHECK(run("plate --quality --states particles").code == 2);
 }
 
+TEST_CASE("example_problems: with --quality, comments name the whole case, and where its worst row lies") {
+    const std::string text =
+        run("hole --method strong --radius 0.3,0.4 --draws 3 --poisson 0.3 --quality").output;
+    CAPTURE(text);
+    const std::size_t at = text.find("# quality: R of the worst derivative");
+    REQUIRE(at != std::string::npos);
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    for (const char* part :
+         {"the largest is ", "strong, 188 particles, scaling 4, poisson 0.3, layout graded-188-11, radius 0.",
+          ", draw ", " derivative at particle ", " (x = ("})
+        CHECK(line.find(part) != std::string::npos);
+}
+
 TEST_CASE("example_problems: a table says which solutions are noise, and of others nothing") {
     const std::string quiet = run("hole --method strong").output;
     CHECK(quiet.find("# noise") == std::string::npos);

@@ -33,6 +33,21 @@ TEST_CASE("constants: second-order FPM at the end errs by -0.919921 e delta^2") 
     CHECK(std::get<double>(table.rows[4][table.column("exponent")]) == 2);
 }
 
+TEST_CASE("constants: where cases are chosen, each without numbers says why, and a remedy that works") {
+    const std::string some =
+        run("constants --formulation second_order_fpm --kernel quintic_spline,wendland_c4 --smoothing 1.2,2")
+            .output;
+    const std::string why =
+        "# empty: second_order_fpm with wendland_c4, h/delta 1.2, volumes equal: a particle has 3 neighbours within 2h, needs 4; try --smoothing 1.6\n";
+    const std::size_t at = some.find("# empty");
+    CHECK(some.substr(at, why.size()) == why);
+    CHECK(some.find("# empty", at + 1) == std::string::npos);
+    CHECK(run("constants --formulation second_order_fpm --kernel wendland_c4 --smoothing 1.6")
+              .output.find("empty") == std::string::npos);
+    check_refused("constants --formulation second_order_fpm --kernel wendland_c4 --smoothing 1.2", 1,
+                  "no case has numbers; second_order_fpm with wendland_c4, h/delta 1.2");
+}
+
 TEST_CASE("constants: names and ratios that have no meaning are refused") {
     check_refused("constants --formulation sph", 2, "there is no formulation 'sph'");
     check_refused("constants --kernel sinc", 2, "there is no kernel 'sinc'");

@@ -57,6 +57,35 @@ TEST_CASE("derivative_test: --output writes what the standard output shows") {
     CHECK(report::read_whole(file) == run("derivative_test --particles 10").output);
 }
 
+TEST_CASE(
+    "derivative_test: on the standard output, rows of several N show the observed orders between them") {
+    const std::string command = "derivative_test --formulation second_order_fpm --particles 80,160,320";
+    const auto table = report::parsed(run(command).output);
+    CHECK(table.word(0, "order_second").empty());
+    for (const std::size_t row : {1U, 2U})
+        for (const char* order :
+             {"order_first", "order_second", "order_first_interior", "order_second_interior"})
+            CHECK(std::abs(std::get<double>(table.rows[row][table.column(order)]) - 2) < 0.05);
+    const programs::Folder folder;
+    CHECK(run(command + " --output " + folder.path + "/t.csv").code == 0);
+    CHECK(report::read_whole(folder.path + "/t.csv").find("order_") == std::string::npos);
+}
+
+TEST_CASE("derivative_test: a smoothing length that is too small is named as the option has it") {
+    const programs::Folder folder;
+    std::string lengths;
+    for (int k = 0; k < 21; ++k) lengths += k % 2 == 0 ? "0.05\n" : "0.04\n";
+    report::write_whole(folder.path + "/h.txt", lengths);
+    const std::string command =
+        "derivative_test --formulation second_order_fpm --kernel cubic_spline --particles 21 --smoothing-from " +
+        folder.path + "/h.txt";
+    const std::string errors = run(command + " --smoothing 1.2").errors;
+    CAPTURE(errors);
+    const std::size_t at = errors.find("; try --smoothing ");
+    REQUIRE(at != std::string::npos);
+    CHECK(run(command + errors.substr(at + 5, errors.find('\n', at) - at - 5)).code == 0);
+}
+
 TEST_CASE("derivative_test: --function exp(x) gives the numbers of the default") {
     for (const std::string options : {"", " --perturb 0.25 --seeds 2 --volumes partition"}) {
         const auto own = run("derivative_test --function 'exp(x)'" + options);

@@ -56,6 +56,9 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
     };
     for (const auto& [options, reason] : std::vector<std::pair<std::string, std::string>>{
              {"--layout nonsense", "there is no layout 'nonsense'"},
+             {"--layout polar-11x17 --draws 2", "--draws changes nothing without a graded layout; add one"},
+             {"--layout polar-11x17 --draw 2", "--draw changes nothing without a graded layout"},
+             {"--layout polar-11x17 --snap 0.5", "--snap 0.5: then particles "},
              {"--layout graded-20-11", "take more than 20 particles"},
              {"--layout polar-2x9", "a polar layout needs"},
              {"--radius 4", "the hole's radius must lie between 0 and the side 3"},
@@ -86,6 +89,16 @@ TEST_CASE("hole: a layout in another unit of length is refused by its name") {
     }
 }
 
+TEST_CASE("hole: a snap that makes particles coincide is named, with a smaller one that does not") {
+    const std::string command = "hole --method strong --layout polar-11x17 --snap ",
+                      errors = run(command + "0.5").errors;
+    CAPTURE(errors);
+    const std::size_t at = errors.find("; take a smaller distance, such as ");
+    REQUIRE(at != std::string::npos);
+    const std::string smaller = errors.substr(at + 35, errors.find('\n', at) - at - 35);
+    CHECK(run(command + smaller).errors.find("coincide") == std::string::npos);
+}
+
 TEST_CASE("hole: --snap moves the particles of layouts that the program makes, too") {
     const programs::Folder folder;
     // Next to a hole that is nearly as large as the quarter, particles lie beside the outer sides.
@@ -102,8 +115,8 @@ TEST_CASE(
     int followed = 0;
     for (const char* method : {"strong", "weak1", "weak2"})
         for (const char* layout : {"polar-11x17", "graded-120-9"}) {
-            const std::string command =
-                std::string("hole --gauss 5 --method ") + method + " --layout " + layout;
+            const std::string command = std::string("hole --method ") + method +
+                                        (method[0] == 'w' ? " --gauss 5" : "") + " --layout " + layout;
             const std::string why = run(command + " --scaling 1.5").errors;
             CAPTURE(command);
             CAPTURE(why);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "report/table.hpp"
 #include "tests/claims.hpp"
@@ -39,7 +40,8 @@ TEST_CASE("plate: corners, a choice of each and all that the print compares") {
     CHECK(table.rows.size() == 3);
     CHECK(table.word(0, "corner_1") == "s11 s12");
     CHECK(table.word(2, "corner_3") == "u1 s12");
-    CHECK(report::parsed(run("plate --method weak1 --corner-1 all --gauss 4").output).rows.size() == 1);
+    CHECK(report::parsed(run("plate --method strong,weak1 --corner-1 all --gauss 4").output).rows.size() ==
+          7);
 }
 
 TEST_CASE("plate: states along an edge and on a grid, with the exact ones beside them") {
@@ -48,6 +50,24 @@ TEST_CASE("plate: states along an edge and on a grid, with the exact ones beside
     CHECK(bottom.word(4, "x1") == "1");
     CHECK(std::get<double>(bottom.rows[4][bottom.column("u2_exact")]) == support::relative(2.26e-3, 0.02));
     CHECK(report::parsed(run("plate --method strong --states 7x3").output).rows.size() == 21);
+}
+
+TEST_CASE("plate: collocation takes no Gauss points, and has one row beside those of the weak forms") {
+    const auto table = report::parsed(run("plate --method strong,weak1 --gauss 4,5 --penalty 1,2").output);
+    CHECK(table.rows.size() == 1 + 4);
+}
+
+TEST_CASE("plate: rows of several grids show the observed orders between them, and files do not") {
+    const std::string command = "plate --method strong --particles 16x4,31x7";
+    const auto table = report::parsed(run(command).output);
+    CHECK(table.word(0, "order_dn").empty());
+    const double fall = std::get<double>(table.rows[0][table.column("log_error_dn")]) -
+                        std::get<double>(table.rows[1][table.column("log_error_dn")]);
+    CHECK(std::abs(std::get<double>(table.rows[1][table.column("order_dn")]) - fall / std::log10(2)) < 6e-4);
+    const programs::Folder folder;
+    CHECK(run(command + " --output " + folder.path + "/t.csv").code == 0);
+    CHECK(report::read_whole(folder.path + "/t.csv").find("order") == std::string::npos);
+    CHECK(run("plate --method strong").output.find("order") == std::string::npos);
 }
 
 TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output") {
@@ -70,6 +90,13 @@ TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output")
              {"--corner-1 u1", "'u1' is no pair of conditions"},
              {"--corner-4 u1,u1", "corner 4 needs two different conditions"},
              {"--corner-2 u1,t1", "there is no condition 't1'"},
+             {"--method weak1 --corner-1 all",
+              "--corner-1 belongs to collocation; add strong to --method, or leave --corner-1 out"},
+             {"--method strong --gauss 4",
+              "--gauss belongs to the weak forms; add weak1 or weak2 to --method"},
+             {"--method strong --penalty 2", "--penalty belongs to the weak forms"},
+             {"--method strong --test-scaling 2", "--test-scaling belongs to the weak forms"},
+             {"--states particles --points 7", "--points belongs to a line of --states; name one"},
              {"--states nowhere", "--states: 'nowhere' is no pair"},
              {"--particles 16x4,31x7 --field /dev/null", "--field holds one set of particles"},
              {"--nonsense", "--nonsense"}})

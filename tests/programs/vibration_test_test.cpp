@@ -29,6 +29,14 @@ TEST_CASE("vibration_test: columns by their names, 98 modes for each formulation
     CHECK(ratio("fem_lumped", 98) == support::relative(0.6430, 1e-3));
 }
 
+TEST_CASE("vibration_test: what changes nothing for finite elements is refused") {
+    for (const std::string option :
+         {"--kernel cubic_spline", "--smoothing 2", "--smoothing-from largest", "--volumes partition"})
+        programs::check_refused(
+            "vibration_test --formulation fem_lumped,fem_consistent --particles 20 " + option, 2,
+            option.substr(0, option.find(' ')) + " changes nothing for finite elements");
+}
+
 TEST_CASE("vibration_test: what it cannot compute is refused") {
     programs::check_refused("vibration_test --median", 2, "--median");
     programs::check_refused("vibration_test --particles 2", 2, "take at least 3");
