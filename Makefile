@@ -74,8 +74,10 @@ include make/tables.mk make/doc.mk make/quality.mk make/install.mk
 build: $(programs) ## compile the programs into build/bin
 
 data: $(data) ## compute the tables of the figures into data/
+	@echo "data: $(words $(data)) tables are up to date in data/"
 
 figures: $(data) $(figures) ## draw the figures of the papers into figures/
+	@echo "figures: $(words $(figures)) drawings are up to date in figures/, such as $(firstword $(figures))"
 
 check: $(bin)/check build ## run the tests
 	@$(bin)/check

@@ -1,6 +1,7 @@
 #include "report/findings.hpp"
 
 #include "base/errors.hpp"
+#include "report/markdown.hpp"
 #include "report/tally.hpp"
 
 namespace report {
@@ -14,7 +15,8 @@ std::string number(const std::string& id, const std::string& column, const std::
             if (reproduction.verdicts.word(row, "id") == id) {
                 const std::string name =
                     column == "measured" ? "measured_" + reproduction.paper.conventions.one.name : column;
-                if (std::string found = reproduction.verdicts.word(row, name); !found.empty()) return found;
+                if (const std::string found = reproduction.verdicts.word(row, name); !found.empty())
+                    return measured(reproduction.verdicts.word(row, "quantity"), found);
             }
     throw base::FailedComputation("the findings name " + id + ", of which the verdicts have no " + column +
                                   " number");

@@ -1,6 +1,10 @@
 #include "report/markdown.hpp"
 
+#include <cmath>
+
 #include "base/errors.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
 
 namespace report {
 
@@ -34,6 +38,11 @@ std::string with_part(const std::string& text, const std::string& key, const std
     if (from == std::string::npos || to == std::string::npos)
         throw base::FailedComputation(where + " has lost the marks of the " + key);
     return text.substr(0, from + first.size()) + part + text.substr(to);
+}
+
+std::string measured(const std::string& quantity, const std::string& number) {
+    if (!quantity.starts_with("order") || number.empty()) return number;
+    return base::shown(std::round(1000 * base::number(number)) / 1000 + 0.0);  // no minus zero
 }
 
 }  // namespace report

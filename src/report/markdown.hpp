@@ -17,6 +17,11 @@ std::string head(const std::vector<std::string>& names);
 /// Text for a cell of a Markdown table in Doxygen: nothing in it counts as markup.
 std::string escaped(std::string text);
 
+/// A measured number as a page shows it: an order to a thousandth, so that a zero reads as a zero, and any
+/// other as it is written.
+/// \param quantity in words: "order of D²B at an end" \param number empty, or as text
+std::string measured(const std::string& quantity, const std::string& number);
+
 /// A text with the part between its two marks replaced: the line "<!-- the KEY below is written by make
 /// claims -->", and "<!-- end of the KEY -->". \param where the text's file, for the message
 /// \throws base::FailedComputation where a mark is missing

@@ -112,8 +112,9 @@ std::string claim_in_words(const Reproduction& reproduction, std::size_t row) {
 
 /// A verdict; what is conditional or differs stands out, with the number that a condition gives.
 std::string verdict_in_words(const Table& verdicts, std::size_t row) {
-    const std::string verdict = verdicts.word(row, "verdict"), from = verdicts.word(row, "conditional"),
-                      to = verdicts.word(row, "conditional_upper");
+    const std::string verdict = verdicts.word(row, "verdict"), quantity = verdicts.word(row, "quantity"),
+                      from = measured(quantity, verdicts.word(row, "conditional")),
+                      to = measured(quantity, verdicts.word(row, "conditional_upper"));
     const bool plain = verdict == "reproduced" || verdict == "by definition";
     return (plain ? verdict : "**" + escaped(verdict) + "**") +
            (from.empty() ? "" : " (then " + from + (to.empty() ? "" : " to " + to) + ")");
@@ -131,8 +132,9 @@ std::string claim_row(const Reproduction& reproduction, std::size_t row) {
          claim_in_words(reproduction, row), verdict_in_words(verdicts, row),
          linked(word("quantity"), equations) + ": " + escaped(verdicts.word(row, "statement")) + " (" +
              escaped(word("reason")) + ")",
-         verdicts.word(row, "measured_" + paper.conventions.one.name),
-         verdicts.word(row, "measured_" + paper.conventions.other.name), word("old_id")});
+         measured(word("quantity"), verdicts.word(row, "measured_" + paper.conventions.one.name)),
+         measured(word("quantity"), verdicts.word(row, "measured_" + paper.conventions.other.name)),
+         word("old_id")});
 }
 
 std::string claims_of(const Reproduction& reproduction) {

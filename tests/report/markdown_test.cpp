@@ -12,6 +12,13 @@ TEST_CASE("markdown: tables, and text in which nothing counts as markup") {
     CHECK(replaced("aaa", "a", "aa") == "aaaaaa");
 }
 
+TEST_CASE("markdown: orders are shown to a thousandth, and other numbers as they are written") {
+    CHECK(measured("order of D²B at an end", "-0.0002625") == "0");
+    CHECK(measured("order of u", "1.99949") == "1.999");
+    CHECK(measured("order of u", "").empty());
+    CHECK(measured("error of an order", "-0.0002625") == "-0.0002625");
+}
+
 TEST_CASE("markdown: the part between two marks is replaced, and marks that are missing are missed") {
     const std::string first = "<!-- the table below is written by make claims -->\n",
                       last = "<!-- end of the table -->";
