@@ -38,11 +38,11 @@ struct TwoPapers : programs::Folder {
               "paper,item,section,command,output,source\n"
               "first,Sums,2,make check,a.csv,a.hpp\nsecond,Basis,2,make check,b.csv,b.hpp\n");
         write("data/first/claims.csv",
-              "id,statement,measured_equal,measured_partition,conditional,conditional_upper,section,verdict\n"
-              "A-2-sum,< 1,0.5,0.25,,,2,reproduced\n");
+              "id,quantity,statement,measured_equal,measured_partition,conditional,conditional_upper,section,verdict\n"
+              "A-2-sum,an error,< 1,0.5,0.25,,,2,reproduced\n");
         write("data/second/claims.csv",
-              "id,statement,measured_dn,measured_nd,conditional,conditional_upper,section,verdict\n"
-              "B-2-basis,< 1,1.5,1.25,,,2,differs\n");
+              "id,quantity,statement,measured_dn,measured_nd,conditional,conditional_upper,section,verdict\n"
+              "B-2-basis,an error,< 1,1.5,1.25,,,2,differs\n");
         write("data/second/choices.csv",
               "choice,one,other,quantity,formulation,with_one,with_other\nerror,dn,nd,E,basis,1,2\n");
         write("tests/first/sums_test.cpp", "TEST_CASE(\"sums: (2)\") {}\n");
