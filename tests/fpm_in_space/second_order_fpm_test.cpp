@@ -1,0 +1,229 @@
+#include "fpm_in_space/second_order_fpm.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "base/quad.hpp"
+#include "tests/clouds.hpp"
+#include "tests/polynomial.hpp"
+#include "tests/relative.hpp"
+
+using namespace fpm_in_space;
+using base::Quad;
+using particles::Cloud;
+using particles::Exponents;
+using particles::Gaussian;
+using particles::Point;
+using particles::Points;
+using particles::Smoothing;
+
+namespace {
+
+/// Calls `check` for one, two and three dimensions, as compile-time numbers.
+template <class Check>
+void in_every_dimension(const Check& check) {
+    check(std::integral_constant<int, 1>{});
+    check(std::integral_constant<int, 2>{});
+    check(std::integral_constant<int, 3>{});
+}
+
+/// Irregular particles in the unit cube.
+template <int dim>
+Cloud<dim> irregular(unsigned seed = 3) {
+    return Cloud<dim>(support::irregular_points<dim>(dim == 1 ? 40 : dim == 2 ? 12 : 8, 0.25, seed));
+}
+
+/// Random neighbours of a particle at the origin, which is the first: all around it, or on one side of some
+/// coordinate planes, as at a face, an edge or a corner.
+/// \param sides number of coordinates that are not negative
+template <class Scalar, int dim>
+Neighbourhood<Scalar, dim> random_neighbourhood(Index count, int sides, unsigned seed) {
+    support::Draws draw(seed);
+    Neighbourhood<Scalar, dim> near;
+    near.r.resize(count, dim);
+    near.W.resize(count);
+    near.V.resize(count);
+    for (Index j = 0; j < count; ++j) {
+        Point<dim> r = j == 0 ? Point<dim>(Point<dim>::Zero()) : Point<dim>(2 * draw.point<dim>());
+        for (int axis = 0; axis < sides; ++axis) r[axis] = std::abs(r[axis]);
+        near.r.row(j) = r.transpose().array().template cast<Scalar>();
+        using std::exp;
+        near.W[j] = exp(-Scalar(r.squaredNorm()));
+        near.V[j] = Scalar(1 + draw() / 2);
+    }
+    return near;
+}
+
+/// The second derivatives by the SSPH basis (2.8) of degree 3 whose expansion takes the value at the particle
+/// as given: without the constant monomial, on differences, weighted by W V.
+template <class Scalar, int dim>
+Table<Scalar> by_ssph(const Neighbourhood<Scalar, dim>& near) {
+    namespace ssph = batra2008::ssph_basis;
+    const Table<Scalar> H = ssph::H<dim, 3, Scalar>(near.r).bottomRows(terms<dim, 3> - 1);
+    const Table<Scalar> D = ssph::D<Scalar>(H, near.W * near.V);
+    const solvers::Cholesky<Scalar> factors(ssph::C<Scalar>(D, H));
+    Table<Scalar> second = particles::solved(factors, D).middleRows(dim, second_derivatives<dim>);
+    static constexpr auto a = particles::monomials<dim, 2>();
+    for (Index n = 0; n < second.rows(); ++n)
+        second.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + dim + n)]));
+    return second;
+}
+
+/// Largest relative difference of the second derivatives from SSPH's, over all random neighbourhoods.
+template <class Scalar, int dim>
+double difference_from_ssph() {
+    double most = 0;
+    for (int sides = 0; sides <= dim; ++sides)
+        for (unsigned seed = 1; seed <= 10; ++seed) {
+            const auto near = random_neighbourhood<Scalar, dim>(10 * terms<dim, 3>, sides, seed);
+            const Table<Scalar> ours = derivatives(near).second.matrix().transpose(), theirs = by_ssph(near);
+            const Scalar size = theirs.cwiseAbs().maxCoeff();
+            most = std::max(most, static_cast<double>((ours - theirs).cwiseAbs().maxCoeff() / size));
+        }
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("second-order FPM in space: D² is exact on cubics and D on quadratics, on irregular particles") {
+    in_every_dimension([](auto dimension) {
+        constexpr int dim = dimension;
+        const Cloud<dim> cloud = irregular<dim>();
+        const auto operators = particles::assemble(cloud, Smoothing(Gaussian<dim>{}, cloud.spacing()),
+                                                   required<dim>, derivatives<double, dim>);
+        for (const auto& a : particles::monomials<dim, 2>()) {
+            const int order = particles::order<dim>(a);
+            if (order == 0) continue;
+            const support::Polynomial f(dim, order + 1, 3);
+            Column<double> B(cloud.size());
+            for (Index j = 0; j < B.size(); ++j) B[j] = f(cloud.x().col(j));
+            const Column<double> found = particles::apply(derivative(operators, a), B);
+            for (Index i = 0; i < B.size(); ++i)
+                REQUIRE(std::abs(found[i] - f.derivative(support::powers(a), cloud.x().col(i))) < 1e-8);
+        }
+    });
+}
+
+TEST_CASE(
+    "second-order FPM in space: its second derivatives are those of the SSPH basis of degree 3 with the value given, inside, at faces, edges and corners") {
+    CHECK(difference_from_ssph<double, 1>() < 1e-10);
+    CHECK(difference_from_ssph<double, 2>() < 1e-9);
+    CHECK(difference_from_ssph<double, 3>() < 1e-9);
+    CHECK(difference_from_ssph<Quad, 1>() < 1e-25);
+    CHECK(difference_from_ssph<Quad, 2>() < 1e-25);
+    CHECK(difference_from_ssph<Quad, 3>() < 1e-25);
+}
+
+TEST_CASE("second-order FPM in space: corrections have no odd moments, and the matrix is symmetric") {
+    in_every_dimension([](auto dimension) {
+        constexpr int dim = dimension;
+        const auto near = random_neighbourhood<double, dim>(10 * terms<dim, 3>, dim, 5);
+        const Column<double> WV = near.W * near.V;
+        const auto p = monomials_of(near);
+        const auto o = odd<dim>(p), p2 = quadratic<dim>(p);
+        const Table<double> C = corrections(p2, o, WV);
+        CHECK(product(C, o, WV).cwiseAbs().maxCoeff() < 1e-10 * product(o, o, WV).cwiseAbs().maxCoeff());
+        const Table<double> M = product(C, p2, WV);
+        CHECK((M - M.transpose()).cwiseAbs().maxCoeff() < 1e-10 * M.cwiseAbs().maxCoeff());
+        CHECK(odd<dim>(p).rows() == std::array{2, 6, 13}.at(dim - 1));
+    });
+}
+
+TEST_CASE(
+    "second-order FPM in space: a mirror of the neighbourhood changes the signs of odd derivatives alone") {
+    const auto near = random_neighbourhood<double, 2>(60, 2, 7);
+    auto mirrored = near;
+    mirrored.r.col(0) *= -1;
+    const auto one = derivatives(near), other = derivatives(mirrored);
+    const double size = one.second.abs().maxCoeff();
+    CHECK((one.first.col(0) + other.first.col(0)).abs().maxCoeff() < 1e-9 * size);
+    CHECK((one.first.col(1) - other.first.col(1)).abs().maxCoeff() < 1e-9 * size);
+    CHECK((one.second.col(0) - other.second.col(0)).abs().maxCoeff() < 1e-9 * size);
+    CHECK((one.second.col(2) + other.second.col(2)).abs().maxCoeff() < 1e-9 * size);
+}
+
+TEST_CASE(
+    "second-order FPM in space: the Laplacian of turned neighbours is the same, and D turns with them") {
+    const auto near = random_neighbourhood<double, 2>(60, 1, 9);
+    auto turned = near;
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    turned.r.col(0) = c * near.r.col(0) - s * near.r.col(1);
+    turned.r.col(1) = s * near.r.col(0) + c * near.r.col(1);
+    const auto one = derivatives(near), other = derivatives(turned);
+    const Column<double> laplacian = one.second.col(0) + one.second.col(1);
+    const double size = laplacian.abs().maxCoeff();
+    CHECK((laplacian - other.second.col(0) - other.second.col(1)).abs().maxCoeff() < 1e-9 * size);
+    CHECK((c * one.first.col(0) - s * one.first.col(1) - other.first.col(0)).abs().maxCoeff() < 1e-9 * size);
+}
+
+TEST_CASE("second-order FPM in space: volumes count by their ratios only") {
+    const auto near = random_neighbourhood<double, 3>(200, 3, 2);
+    auto larger = near;
+    larger.V *= 1024;
+    const auto one = derivatives(near), other = derivatives(larger);
+    CHECK((one.second - other.second).abs().maxCoeff() < 1e-12 * one.second.abs().maxCoeff());
+    CHECK((one.first - other.first).abs().maxCoeff() < 1e-12 * one.second.abs().maxCoeff());
+}
+
+TEST_CASE(
+    "second-order FPM in space: on a line it has no zero behind a short first gap, where the paper's (43) has one") {
+    for (const double gap : {0.01, 0.05, 0.098056, 0.0981, 0.2, 0.5, 1.0}) {
+        Column<double> x = Column<double>::LinSpaced(60, gap - 1, gap + 58) / 60;
+        x[0] = 0;
+        const auto line = particles::line_at(x, particles::Volumes::equal);
+        const auto operators = particles::assemble(line, Smoothing<double>(Gaussian<1>{}, 2.0 / 60),
+                                                   required<1>, derivatives<double, 1>);
+        const Column<double> f = line.x().exp(), error = (particles::apply(operators.D2, f) - f).abs();
+        CAPTURE(gap);
+        CHECK(error.maxCoeff() < 0.02);
+    }
+}
+
+TEST_CASE("second-order FPM in space: neighbours that do not determine the cubics are refused") {
+    auto on_circle = random_neighbourhood<double, 2>(40, 0, 4);
+    for (Index j = 1; j < on_circle.W.size(); ++j)
+        on_circle.r.row(j) /= std::sqrt(on_circle.r.row(j).square().sum());
+    CHECK_THROWS_AS(derivatives(on_circle), particles::SingularNeighbourhood);
+    CHECK_THROWS_AS(derivatives(random_neighbourhood<double, 2>(9, 0, 4)), particles::SingularNeighbourhood);
+    CHECK_THROWS_AS(derivatives(random_neighbourhood<double, 3>(19, 0, 4)), particles::SingularNeighbourhood);
+    auto far = random_neighbourhood<double, 2>(40, 0, 4);
+    far.W.setZero();
+    CHECK_THROWS_AS(derivatives(far), particles::SingularNeighbourhood);
+}
+
+namespace {
+
+/// Largest errors of first and of second derivatives.
+struct Errors {
+    double first = 0, second = 0;
+};
+
+/// Errors of exp(x + y/2) + sin(x + 2y) on a grid of n × n particles, h = δ.
+Errors errors_on_grid(Index n) {
+    const Cloud<2> cloud(support::grid_points<2>(n));
+    const auto operators = particles::assemble(
+        cloud, Smoothing(Gaussian<2>{}, 1 / static_cast<double>(n - 1)), required<2>, derivatives<double, 2>);
+    const auto x = cloud.x().row(0).transpose().array(), y = cloud.x().row(1).transpose().array();
+    const Column<double> e = (x + y / 2).exp(), s = (x + 2 * y).sin(), c = (x + 2 * y).cos(), f = e + s;
+    const auto error = [&](const Exponents<2>& a, const Column<double>& exact) {
+        return (particles::apply(derivative(operators, a), f) - exact).abs().maxCoeff();
+    };
+    return {std::max(error({1, 0}, e + c), error({0, 1}, e / 2 + 2 * c)),
+            std::max({error({2, 0}, e - s), error({0, 2}, e / 4 - 4 * s), error({1, 1}, e / 2 - 2 * s)})};
+}
+
+}  // namespace
+
+TEST_CASE("second-order FPM in space: errors on grids are those of a calculation in NumPy, second order") {
+    const Errors coarse = errors_on_grid(16), middle = errors_on_grid(31), fine = errors_on_grid(61);
+    CHECK(coarse.first == support::relative(1.347e-2, 1e-3));
+    CHECK(coarse.second == support::relative(5.688e-2, 1e-3));
+    CHECK(middle.first == support::relative(3.565e-3, 1e-3));
+    CHECK(middle.second == support::relative(1.401e-2, 1e-3));
+    CHECK(fine.first == support::relative(9.098e-4, 1e-3));
+    CHECK(fine.second == support::relative(3.473e-3, 1e-3));
+}
