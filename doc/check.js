@@ -37,6 +37,9 @@ async function look(page, frame) {
     const left = shown.querySelector("main").innerText.replace(/\\\\/g, "").match(/.{0,30}(\\\(|\\\[|\\f\$|\\(eq|defeq|claim|ref)\b).{0,30}/);
     if (left && !/_source\.html$/.test(page)) complain("formula or command left as text: " + left[0]);
 
+    for (const name of shown.querySelectorAll("td.memname"))
+        if (/^(?:.* )?(?:asprone2010|batra2008|fpm_in_space|particles|solvers|report)[a-z]/.test(name.textContent.trim()))
+            complain("a name runs into its section's: " + name.textContent.trim());
     for (const image of shown.querySelectorAll("main img")) { ++images; if (!image.naturalWidth) complain("image " + image.src + " did not load"); }
     for (const image of shown.querySelectorAll("main object")) {
         ++images;

@@ -71,7 +71,9 @@ function nameFigures() {
 // Signatures name what they declare without the section. Bodies start where their signatures ended: neither a lone brace nor the
 // signature's width is of use.
 function trimCode() {
-    const scope = [...document.querySelectorAll(".navpath .navelem")].map((part) => part.textContent.trim()).join("::") + "::";
+    const path = [...document.querySelectorAll(".navpath .navelem")].map((part) => part.textContent.trim());
+    const [, outermost] = /^namespace(\w+)\.html$/.exec(page) || [];  // which has no path
+    const scope = (path.length > 0 ? path.join("::") : (outermost || "").replaceAll("__", "_")) + "::";
     for (const name of document.querySelectorAll("td.memname, h2.memtitle"))
         for (const node of name.childNodes)
             if (node.nodeType === Node.TEXT_NODE) node.textContent = node.textContent.replace(scope, "");
