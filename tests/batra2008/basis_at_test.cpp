@@ -176,6 +176,19 @@ TEST_CASE("basis_at: without the kernel's gradient the basis is the same, and it
                          base::InvalidInput);
 }
 
+TEST_CASE("basis_at: the derivatives of its functions are the limits of difference quotients") {
+    const Cloud<2> cloud(support::grid_points<2>(7));
+    const Point<2> x(0.4, 0.3);
+    const auto at = [&](const Point<2>& place) {
+        return ssph_basis::basis_at<2>(cloud, TruncatedGaussian<2>(2.5), place, 1.0 / 6);
+    };
+    for (const int axis : {0, 1}) {
+        const Point<2> step = 1e-6 * Point<2>::Unit(axis);
+        const Column<double> quotient = (at(x + step).row(1) - at(x - step).row(1)) / 2e-6;
+        CHECK((at(x).DK(1, axis) - quotient).abs().maxCoeff() < 1e-7 * quotient.abs().maxCoeff());
+    }
+}
+
 TEST_CASE("basis_at: in one dimension m + 1 particles are needed and suffice") {
     const Points<1> x{{0.1, 0.4, 0.9, 1.1}};
     for (const int m : {1, 2, 3}) {

@@ -232,3 +232,16 @@ TEST_CASE("ssph_basis: all rows of K at once are those computed one by one") {
         }
     }
 }
+
+TEST_CASE("ssph_basis: the derivatives that operators take are exact for quadratics, the mixed one too") {
+    const particles::Offsets<double, 2> r = 2 * support::random_points<2>(20, 3).transpose().array() - 1;
+    const Column<double> x = r.col(0), y = r.col(1), W = (-x * x - y * y).exp();
+    const Column<double> f = 2 * x - 3 * y + x * x + 5 * x * y - 4 * y * y;
+    const auto [first, second] = derivatives<2>(particles::Neighbourhood<double, 2>{r, W, {}, {}});
+    const auto applied = [&](const Column<double>& weights) { return (weights * f).sum(); };
+    CHECK(std::abs(applied(first.col(0)) - 2) < 1e-12);
+    CHECK(std::abs(applied(first.col(1)) + 3) < 1e-12);
+    CHECK(std::abs(applied(second.col(0)) - 2) < 1e-12);
+    CHECK(std::abs(applied(second.col(1)) + 8) < 1e-12);
+    CHECK(std::abs(applied(second.col(2)) - 5) < 1e-12);
+}
