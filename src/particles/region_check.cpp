@@ -56,8 +56,8 @@ using Loop = std::vector<End>;
 class Loops {
   public:
     Loops(const Region& region, double slack) {
-        for (std::size_t k = 0; k < region.size(); ++k) {
-            const auto both = ends(region[k]);
+        for (const Curve& curve : region) {
+            const auto both = ends(curve);
             at_.insert(at_.end(), both.begin(), both.end());
         }
         for (std::size_t end = 0; end < at_.size(); ++end) partner_.push_back(partner(region, end, slack));
