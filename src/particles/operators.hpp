@@ -177,20 +177,24 @@ inline void check_rows(const Range& rows, Index N) {
                            std::to_string(rows.last - 1) + " among " + std::to_string(N) + " particles");
 }
 
+/// The weights that a function gives for a neighbourhood: of both derivatives, or of the first alone.
+template <class Scalar, class Function>
+Derivatives<Scalar> weights_of(const Function& function, const Neighbourhood<Scalar>& near) {
+    if constexpr (std::is_same_v<std::invoke_result_t<Function, const Neighbourhood<Scalar>&>,
+                                 Derivatives<Scalar>>)
+        return function(near);
+    else
+        return {function(near), {}};
+}
+
 /// A rule from a function of a Neighbourhood of any scalar that returns Derivatives, or the weights of the
 /// first derivative alone.
 template <class Scalar, class Function>
 Rule<Scalar> rule_of(const Function& function) {
-    const auto both = [function]<class Number>(const Neighbourhood<Number>& near) -> Derivatives<Number> {
-        if constexpr (std::is_same_v<std::invoke_result_t<Function, const Neighbourhood<Number>&>,
-                                     Derivatives<Number>>)
-            return function(near);
-        else
-            return {function(near), {}};
-    };
-    Rule<Scalar> rule{both, {}, {}};
+    const auto weights = [function](const auto& near) { return weights_of(function, near); };
+    Rule<Scalar> rule{weights, {}, {}};
     if constexpr (std::is_same_v<Scalar, double> && std::is_invocable_v<Function, const Neighbourhood<Pack>&>)
-        rule.weights_of_pack = both;
+        rule.weights_of_pack = weights;
     return rule;
 }
 
