@@ -14,9 +14,10 @@ namespace asprone2010 {
 ///
 /// \eq{A40} makes \eq{A42} regular for every particle, and on lines like the print's so is \eq{A43}
 /// (\claim{A-4-system-regular}). Not on every line: its \f$A_{12}\f$ has a zero at the second particle of a
-/// line with a short first gap, for h = 2δ and equal volumes at 0.098 δ. Next to the zero no system is singular, and the error of the second derivative of eˣ
-/// is 38. Neither \f$A_{12}\f$ nor a condition number tells such a row from a good one, since both are small
-/// at an end, too. The bound of the error tells: R of particles::quality(), measured for \eq{A43} with h = δ:
+/// line with a short first gap, for h = 2δ and equal volumes at 0.098 δ. Next to the zero no system is
+/// singular, and the error of the second derivative of eˣ is 38. Neither \f$A_{12}\f$ nor a condition number
+/// tells such a row from a good one, since both are small at an end, too. The bound of the error tells: R of
+/// particles::quality(), measured for \eq{A43} with h = δ:
 ///
 /// | particles | largest R |
 /// | --- | --- |
