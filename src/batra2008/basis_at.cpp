@@ -218,8 +218,8 @@ std::string fewer_particles(const particles::Cloud<dim>& cloud, const Monomials<
     if (!needs.derivative.empty()) left.derivative.erase(left.derivative.begin() + k);
     std::vector<Index> hardest;
     if (needs.lengths.size() > 0)
-        hardest = loneliest(
-            particles::spacing(rest, particles::Spacing::to_nearest(monomials.number - 1)) / left.lengths);
+        hardest = loneliest(particles::spacing(rest, particles::Spacing::to_nearest(monomials.number - 1)) /
+                            left.lengths);
     const bool helps = monomials.quality(rest, rho, left.h, left.x, left.k) < left.most &&
                        std::all_of(hardest.begin(), hardest.end(), [&](Index j) {
                            return serves(rest, monomials, rho, left.lengths, left, j);

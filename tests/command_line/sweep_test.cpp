@@ -107,7 +107,8 @@ TEST_CASE("sweep: programs write what can be computed, name the case that cannot
             {"plate --method strong --scaling 2,3 --states 2x2", "\nstrong,64,2,,,2,0.33,stress,,16,4,",
              "; scaling 2: ssph_basis: at (0, 0) "},
             {"hole --method strong --layout polar-3x3,graded-188-11",
-             "\nstrong,9,4,,,2,0.33,strain,,polar-3x3,0.3,,,,,,,,,,,,,\"ssph", "; particles 9: ssph_basis: "}}) {
+             "\nstrong,9,4,,,2,0.33,strain,,polar-3x3,0.3,,,,,,,,,,,,,\"ssph",
+             "; particles 9: ssph_basis: "}}) {
         const std::string tried = command;
         CAPTURE(tried);
         const auto outcome = run(command);

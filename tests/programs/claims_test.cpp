@@ -31,7 +31,8 @@ TEST_CASE("claims: the count of verdicts is read from the table, and of several 
     const std::string of_first =
         "5 claims: 2 reproduced, 1 hold under a condition, 1 differ, 1 cannot tell, 0 by definition\n";
     CHECK(run("claims --count " + first).output == of_first);
-    CHECK(run("claims --count " + first + " " + second).output ==
-          "first: " + of_first +
-              "second: 1 claims: 1 reproduced, 0 hold under a condition, 0 differ, 0 cannot tell, 0 by definition\n");
+    CHECK(
+        run("claims --count " + first + " " + second).output ==
+        "first: " + of_first +
+            "second: 1 claims: 1 reproduced, 0 hold under a condition, 0 differ, 0 cannot tell, 0 by definition\n");
 }

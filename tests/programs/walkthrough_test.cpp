@@ -37,9 +37,10 @@ struct TwoPapers : programs::Folder {
         write("paper/items.csv",
               "paper,item,section,command,output,source\n"
               "first,Sums,2,make check,a.csv,a.hpp\nsecond,Basis,2,make check,b.csv,b.hpp\n");
-        write("data/first/claims.csv",
-              "id,quantity,statement,measured_equal,measured_partition,conditional,conditional_upper,section,verdict\n"
-              "A-2-sum,an error,< 1,0.5,0.25,,,2,reproduced\n");
+        write(
+            "data/first/claims.csv",
+            "id,quantity,statement,measured_equal,measured_partition,conditional,conditional_upper,section,verdict\n"
+            "A-2-sum,an error,< 1,0.5,0.25,,,2,reproduced\n");
         write("data/second/claims.csv",
               "id,quantity,statement,measured_dn,measured_nd,conditional,conditional_upper,section,verdict\n"
               "B-2-basis,an error,< 1,1.5,1.25,,,2,differs\n");
