@@ -32,10 +32,13 @@ title_second_order_fpm  = "second-order FPM"
 title_fem_lumped        = "linear FEM, lumped mass"
 title_fem_consistent    = "linear FEM, consistent mass"
 title_ssph              = "SSPH, second degree"
-title(name) = value("title_" . name)
+# A name without a title stands for itself.
+plain(name) = strstrt(name, "_") == 0 ? name : name[1:strstrt(name, "_") - 1] . "\\_" . plain(name[strstrt(name, "_") + 1:*])
+title(name) = exists("title_" . name) ? value("title_" . name) : plain(name)
 
-# The style of a formulation is its place in the list.
-style(name) = (words(substr(names, 1, strstrt(names, name))) + 0)
+# The style of a formulation is its place in the list; a name that is not there has the style behind the last.
+listed(name) = strstrt(" " . names . " ", " " . name . " ")
+style(name) = listed(name) == 0 ? words(names) + 1 : words(substr(" " . names . " ", 1, listed(name))) + 1
 set style line 1 linecolor rgb "#000000" dashtype 1       pointtype 4  pointsize 0.7 linewidth 1.3
 set style line 2 linecolor rgb "#b35900" dashtype (8,3)   pointtype 8  pointsize 0.8 linewidth 1.3
 set style line 3 linecolor rgb "#b8669f" dashtype (2,2)   pointtype 6  pointsize 0.7 linewidth 1.6
@@ -62,14 +65,14 @@ set label %d '1' at %g,%g center offset 0,-0.7 textcolor rgb '#666666'", \
     tag, order, N, e * factor**(order / 2.0), \
     100 + tag, N * sqrt(factor), e)
 
-# The methods of Batra and Zhang (2008), and the exact solution.
+# The methods of Batra and Zhang (2008), and the exact solution. Formulations have the numbers up to 20.
 methods = "strong weak1 weak2"
-set style line 11 linecolor rgb "#c8501e" dashtype (8,3)  pointtype 4  pointsize 0.8 linewidth 1.5
-set style line 12 linecolor rgb "#12507b" dashtype 1      pointtype 7  pointsize 0.7 linewidth 1.8
-set style line 13 linecolor rgb "#3aa078" dashtype (3,2)  pointtype 8  pointsize 0.9 linewidth 1.6
-set style line 14 linecolor rgb "#c4c4c4" dashtype 1      linewidth 5  # a band on which the curves lie
+set style line 31 linecolor rgb "#c8501e" dashtype (8,3)  pointtype 4  pointsize 0.8 linewidth 1.5
+set style line 32 linecolor rgb "#12507b" dashtype 1      pointtype 7  pointsize 0.7 linewidth 1.8
+set style line 33 linecolor rgb "#3aa078" dashtype (3,2)  pointtype 8  pointsize 0.9 linewidth 1.6
+set style line 34 linecolor rgb "#c4c4c4" dashtype 1      linewidth 5  # a band on which the curves lie
 title_strong = "strong"; title_weak1 = "weak1"; title_weak2 = "weak2"
-method_style(name) = name eq "strong" ? 11 : name eq "weak1" ? 12 : name eq "weak2" ? 13 : 14
+method_style(name) = name eq "strong" ? 31 : name eq "weak1" ? 32 : name eq "weak2" ? 33 : 34
 method(name) = strcol("method") eq name ? 1 : NaN
 one_row = "set key maxrows 1 width -1 samplen 3"
 

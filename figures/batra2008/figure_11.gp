@@ -22,7 +22,7 @@ do for [k = 1:3] {
     unset logscale y; set format y (k == 1 ? "%g" : ""); set yrange [0:3]; set xtics 0.25
     unset key
     if (k == 1) { set key at screen 0.5,0.05 center center maxrows 1 width -1 samplen 2.5 }
-    plot table using (method(name) * grid("16") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 14 title "exact", \
+    plot table using (method(name) * grid("16") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 34 title "exact", \
          for [n = 1:4] table using (method(name) * grid(word(grids, n)) * column("x1")):(1000 * column("u2")) \
              with lines linestyle 20 + n title grid_name(word(grids, n))
     set tmargin at screen 0.50; set bmargin at screen 0.17

@@ -6,6 +6,6 @@ set xlabel "x₂ in m"
 set ylabel "u₂ in mm"
 set xrange [0.3:3]
 eval(one_row)
-plot table using (method("weak1") * column("x2")):(1000 * column("u2_exact")) with lines linestyle 14 title "exact", \
+plot table using (method("weak1") * column("x2")):(1000 * column("u2_exact")) with lines linestyle 34 title "exact", \
      for [name in methods] table using (method(name) * column("x2")):(1000 * column("u2")) \
          with linespoints linestyle method_style(name) pointinterval 10 title name

@@ -11,13 +11,13 @@ set xrange [0.3:3]
 set yrange [0:3.5]
 set ylabel "σ₁₁ / σ₀"
 set key at screen 0.5,0.07 center center maxrows 1 width -1
-plot table using (method("weak1") * column("x2")):(column("s11_exact") / 1e9) with lines linestyle 14 title "exact", \
+plot table using (method("weak1") * column("x2")):(column("s11_exact") / 1e9) with lines linestyle 34 title "exact", \
      for [name in methods] table using (method(name) * column("x2")):(column("s11") / 1e9) \
          with linespoints linestyle method_style(name) pointinterval 10 title name
 set lmargin at screen 0.57; set rmargin at screen 0.97
 set xrange [0.3:0.6]
 unset ylabel; unset key; set format y ""
-plot table using (method("weak1") * column("x2")):(column("s11_exact") / 1e9) with lines linestyle 14, \
+plot table using (method("weak1") * column("x2")):(column("s11_exact") / 1e9) with lines linestyle 34, \
      for [name in methods] table using (method(name) * column("x2")):(column("s11") / 1e9) \
          with linespoints linestyle method_style(name) pointinterval 2
 unset multiplot

@@ -5,6 +5,6 @@ set title "Displacement of the bottom edge, 16 × 4 particles"
 set xlabel "x₁ in m"
 set ylabel "u₂ in mm"
 eval(one_row)
-plot table using (method("weak1") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 14 title "exact", \
+plot table using (method("weak1") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 34 title "exact", \
      for [name in methods] table using (method(name) * column("x1")):(1000 * column("u2")) \
          with linespoints linestyle method_style(name) pointinterval 10 title name

@@ -12,7 +12,7 @@ set lmargin at screen 0.11; set rmargin at screen 0.50
 set title "plane stress"
 set ylabel "u₂ in mm"
 set key at screen 0.5,0.07 center center maxrows 1 width -1
-plot left using (method("weak1") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 14 title "exact", \
+plot left using (method("weak1") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 34 title "exact", \
      for [name in methods] left using (method(name) * column("x1")):(1000 * column("u2")) \
          with linespoints linestyle method_style(name) pointinterval 10 title name
 set lmargin at screen 0.58; set rmargin at screen 0.98
@@ -20,7 +20,7 @@ set title "plane strain"
 unset ylabel; unset key
 set yrange [-2:4]
 set label sprintf("weak2 falls to −%.3g mm", -weak2_min) at 0.06,-1.6 textcolor rgb "#444444" font ",12"
-plot right using (method("weak1") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 14, \
+plot right using (method("weak1") * column("x1")):(1000 * column("u2_exact")) with lines linestyle 34, \
      for [name in methods] right using (method(name) * column("x1")):(1000 * column("u2")) \
          with linespoints linestyle method_style(name) pointinterval 10
 unset multiplot

@@ -18,13 +18,13 @@ plot for [name in methods] table using (method(name) * column("particles")): \
          (column("seconds_assembly") + column("seconds_solution")) with linespoints linestyle method_style(name) title name . ", in all", \
      for [name in methods] table using (method(name) * column("particles")):"seconds_assembly" \
          with lines linestyle method_style(name) linewidth 0.8 title name . ", assembly", \
-     keyentry with lines linestyle 14 title "25 kB a particle"
+     keyentry with lines linestyle 34 title "25 kB a particle"
 
 set lmargin at screen 0.60; set rmargin at screen 0.99
 set yrange [1:1e4]
 set ylabel "memory in MB"
 unset key
 share(particles) = particles < 1000 || particles > 1e5 ? NaN : 0.025 * particles
-plot share(x) with lines linestyle 14, \
+plot share(x) with lines linestyle 34, \
      for [name in methods] table using (method(name) * column("particles")):"megabytes" with linespoints linestyle method_style(name)
 unset multiplot

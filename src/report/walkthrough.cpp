@@ -247,7 +247,8 @@ std::string claims_page(const std::vector<Reproduction>& all) {
         "- **holds only if**: it does not hold as it stands, but with the condition that the verdict names, or under one convention alone. The number that follows was measured with the condition. A misprint that one sign or one entry mends is a condition.\n"
         "- **differs**: it holds under neither, nor with the conditions that were tried, which the verdict names.\n"
         "- **by definition**: it follows from a definition and tests nothing. It is not counted.\n"
-        "- The layout of the particles around the hole is lost. A statement about it is reproduced if it is true on each of 25 layouts of as many particles; it holds under a condition if it is true on some of them, or if the printed number lies between the least and the largest of theirs.\n\n";
+        "- The layout of the particles around the hole is lost. A statement about it is reproduced if it is true on each of 25 layouts of as many particles; it holds under a condition if it is true on some of them, or if the printed number lies between the least and the largest of theirs.\n"
+        "- The old id is the name that the claim had before names said the section.\n\n";
     for (const Reproduction& reproduction : all) page += claims_of(reproduction);
     return page;
 }
