@@ -72,8 +72,8 @@ function nameFigures() {
 // signature's width is of use.
 function trimCode() {
     const path = [...document.querySelectorAll(".navpath .navelem")].map((part) => part.textContent.trim());
-    const [, outermost] = /^namespace(\w+)\.html$/.exec(page) || [];  // which has no path
-    const scope = (path.length > 0 ? path.join("::") : (outermost || "").replaceAll("__", "_")) + "::";
+    // Pages of whole parts have no path.
+    const scope = path.length > 0 ? path.join("::") + "::" : /(?:\w+::)+(?=\w+\s*$)/;
     for (const name of document.querySelectorAll("td.memname, h2.memtitle"))
         for (const node of name.childNodes)
             if (node.nodeType === Node.TEXT_NODE) node.textContent = node.textContent.replace(scope, "");

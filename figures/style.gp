@@ -119,9 +119,9 @@ if (user && exists("y_column")) {
 parameters = comment("# kernel ")
 if (parameters eq "gaussian, h/delta 1, volumes equal") parameters = ""
 parameters_below = parameters eq "" ? "" : "\nkernel " . parameters
-# In the key of a user's table: the order of each curve, minus the slope by least squares of log(e) against log(N). A
-# triangle could lie on another curve.
-# Use: eval(observe(name, "N", "e")), N and e columns' expressions, before axes have ranges; then titled(name).
+# In the key of a user's table: the order of each curve, the slope by least squares of log(e) against log(δ), as the
+# tables have it. A triangle could lie on another curve.
+# Use: eval(observe(name, "1/δ", "e")), 1/δ and e columns' expressions, before axes have ranges; then titled(name).
 add(x, y) = x == x && y > 0 ? \
     (n = n + 1, sx = sx + x, sy = sy + log(y), sxx = sxx + x * x, sxy = sxy + x * log(y), 0) : 0
 spread(n, sx, sxx) = n * sxx - sx * sx

@@ -16,7 +16,7 @@ second = strstrt(curves, "second_order_fpm") > 0
 uniform(name) = row(name, word(perturbations, 1))
 moved(name) = row(name, word(perturbations, 2))
 if (user) {
-    do for [name in curves] { eval(observe(name, "uniform('" . name . "') * column('particles')", "column('error_second')")) }
+    do for [name in curves] { eval(observe(name, "uniform('" . name . "') / column('spacing')", "column('error_second')")) }
 }
 eval(picture(640, 740))
 set logscale x

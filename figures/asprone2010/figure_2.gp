@@ -19,7 +19,7 @@ second = word(perturbations, 2)
 both = words(perturbations) > 1
 if (user) {
     do for [name in curves] {
-        eval(observe(name, "row('" . name . "', first) * column('particles')", "column('error_displacement')"))
+        eval(observe(name, "row('" . name . "', first) / column('spacing')", "column('error_displacement')"))
     }
 }
 set logscale xy

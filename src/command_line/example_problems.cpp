@@ -107,7 +107,7 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
         .type_name("NAME");
     app.add_option(
            "--states", options.states,
-           "displacements and stresses at places, instead of errors: particles, a grid such as 46x10, " +
+           "displacements and stresses at places, instead of errors: particles, a grid such as 46x11, " +
                places)
         .type_name("PLACES");
     app.add_option("--points", options.points, "number of places on a line of --states (default 101)")

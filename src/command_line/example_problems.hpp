@@ -75,7 +75,7 @@ std::vector<batra2008::Point<2>> places_at(const batra2008::Points<2>& x);
 std::vector<batra2008::Point<2>> places_between(const batra2008::Point<2>& from,
                                                 const batra2008::Point<2>& to, long count);
 
-/// The two counts of a grid that `--states` names, such as 46x10.
+/// The two counts of a grid that `--states` names, such as 46x11.
 /// \throws base::InvalidInput for another text, and for more places than fit into memory
 std::array<long, 2> grid_of_places(const std::string& states);
 

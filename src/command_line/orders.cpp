@@ -29,10 +29,11 @@ std::vector<Errors> columns_of_errors(const report::Table& table) {
     return all;
 }
 
-/// log e of a row; nothing where it has no error, or none that is positive.
+/// log e of a row; nothing where it has no error, or one below a hundredth of its tolerance, which is round-off.
 std::optional<double> logarithm(const report::Table& table, std::size_t row, const Errors& errors) {
     const auto* const found = std::get_if<double>(&table.rows[row][errors.column]);
-    if (found == nullptr || (!errors.logarithm && !(*found > 0))) return {};
+    const double round_off = table.columns[errors.column].tolerance.absolute / 100;
+    if (found == nullptr || (!errors.logarithm && !(*found > round_off))) return {};
     return errors.logarithm ? *found * std::log(10) : std::log(*found);
 }
 

@@ -133,12 +133,15 @@ void check_two_columns(const Columns& file) {
     const std::size_t count = row.entries().size();
     if (count == 2) return;
     const bool whole = row.text.find_first_not_of("0123456789,-") == std::string_view::npos;
+    const auto in_one_word = [](const std::string& names) {
+        return names.find(' ') == std::string::npos ? names : '"' + names + '"';
+    };
     file.refuse(row, row.text,
-                count == 1
-                    ? "has 1 column; a layout needs x,y"
-                    : "has " + std::to_string(count) +
-                          " columns; a layout needs x,y: choose them, such as --columns " +
-                          two_columns(file) + (whole ? "; or, if its commas are decimal, write points" : ""));
+                count == 1 ? "has 1 column; a layout needs x,y"
+                           : "has " + std::to_string(count) +
+                                 " columns; a layout needs x,y: choose them, such as --columns " +
+                                 in_one_word(two_columns(file)) +
+                                 (whole ? "; or, if its commas are decimal, write points" : ""));
 }
 
 }  // namespace

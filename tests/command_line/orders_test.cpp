@@ -72,3 +72,13 @@ TEST_CASE("orders: the reasons of failures stay the last column") {
     CHECK(table.rows[1].back() == Cell());
     CHECK(table.word(1, "order_u") == "2");
 }
+
+TEST_CASE("orders: round-off has none") {
+    Table table;
+    table.columns = {{"method"}, {"particles"}, {"error_u", {1e-6, 1e-12}}};
+    table.rows = {{"exact", 1L, 1e-15}, {"exact", 2L, 4e-15}, {"small", 1L, 4e-13}, {"small", 2L, 1e-13}};
+    const Table before = table;
+    add_orders(table, {"method"}, [&](std::size_t row) { return spacing(before, row); });
+    CHECK(table.rows[1][3] == Cell());
+    CHECK(table.rows[3][3] == Cell(2.0));
+}

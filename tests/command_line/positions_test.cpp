@@ -151,6 +151,7 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
               "line 2: '7,0.5,0' has 3 columns; a layout needs x,y: choose them, such as --columns a,b"},
              {"a,id,b\n0.5,7,0.1\n", "choose them, such as --columns a,b"},
              {"0.5 7 0.1\n", "choose them, such as --columns 1,3"},
+             {"id,pos x,pos y\n7,0.5,0.1\n", "such as --columns \"pos x,pos y\""},
              {"1,0.2,0.3\n2,0.4,0.3\n",
               "line 1: '1,0.2,0.3' has 3 columns; a layout needs x,y: choose them, such as --columns 2,3"},
              {"0,5,0,7\n", "such as --columns 1,2; or, if its commas are decimal, write points"},

@@ -83,7 +83,7 @@ TEST_CASE("bad input: numbers of particles that are none, too few, or more than 
         {"hole", "--layout polar-99999x99999", 2, "take fewer particles or a smaller --scaling"},
         {"hole", "--layout polar-0x0", 2, "a polar layout needs at least 3 rings"},
         {"hole", "--layout graded-0-0", 2, "at least 3 particles on the hole"},
-        {"hole", "--layout graded-999999-999999", 2, "take more than 999999 particles"},
+        {"hole", "--layout graded-999999-999999", 2, "take more than 5053932 particles"},
         {"hole", "--layout graded-999999999999-3", 2, "there is no layout"},
     });
 }
@@ -145,7 +145,7 @@ TEST_CASE("bad input: smoothing lengths, perturbations and other numbers beyond 
         {"hole", "--radius 0", 2, "the hole's radius must lie between 0 and the side 3, got 0"},
         {"hole", "--radius -1", 2, "the hole's radius must lie between"},
         {"hole", "--radius 1e300", 2, "the hole's radius must lie between"},
-        {"hole", "--radius 1e-300", 2, "take more than 188 particles"},
+        {"hole", "--radius 1e-300", 2, "take more than 8832 particles"},
         {"hole", "--draw 0", 2, "--draw must lie between 1 and 4000000000, got 0"},
         {"hole", "--draws 1e6", 2, "--draws must lie between 1 and 100000, got 1000000"},
     });
