@@ -41,7 +41,7 @@ Derivatives<> cubic_fit(const Neighbourhood<>& near) {
 
 /// Largest error of the second derivative of exp at N particles.
 template <class Formulation>
-double error(Index N, const Formulation& formulation) {
+double error(Index N, Formulation formulation) {
     const Line<> line = line_at(uniform_positions(N), Volumes::equal);
     const Smoothing smoothing(CubicSpline{}, 2.5 * line.spacing());  // says who is near: |s| < 2
     const Operators<> operators = assemble(line, smoothing, {"own", 4}, formulation);
