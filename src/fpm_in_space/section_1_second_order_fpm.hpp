@@ -8,7 +8,22 @@
 #include "particles/requirement.hpp"
 #include "solvers/cholesky.hpp"
 
-/// The second-order finite particle method in one, two and three dimensions, beyond both papers.
+/// The second-order finite particle method in the plane and in space: a text of our own, section by section.
+namespace fpm_in_space {
+
+using particles::Column;
+using particles::Derivatives;
+using particles::Index;
+using particles::Neighbourhood;
+using particles::second_derivatives;
+using particles::terms;
+
+template <class Scalar>
+using Table = batra2008::ssph_basis::Table<Scalar>;
+template <class Scalar>
+using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
+
+/// Section 1, the second-order finite particle method in one, two and three dimensions, beyond both papers.
 ///
 /// Asprone et al. (2010) end with the remark that their method seemed complicated to extend to two and three
 /// dimensions. This is an extension that is of second order at faces, edges and corners, too.
@@ -35,19 +50,7 @@
 /// The second derivatives are those of the SSPH basis of degree 3, \eq{B2.8}, if its expansion takes the value
 /// at the particle as given: both solve for the same unknowns under the same conditions. The two papers of
 /// this package meet here.
-namespace fpm_in_space {
-
-using particles::Column;
-using particles::Derivatives;
-using particles::Index;
-using particles::Neighbourhood;
-using particles::second_derivatives;
-using particles::terms;
-
-template <class Scalar>
-using Table = batra2008::ssph_basis::Table<Scalar>;
-template <class Scalar>
-using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
+namespace second_order_fpm {
 
 /// How many particles determine the derivatives: the particle itself, and a neighbour for each monomial of
 /// degree 1 to 3.
@@ -180,4 +183,5 @@ Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>& near) {
     return {first<dim>(D2, p1, p2, WV).transpose().array(), D2.transpose().array()};
 }
 
+}  // namespace second_order_fpm
 }  // namespace fpm_in_space

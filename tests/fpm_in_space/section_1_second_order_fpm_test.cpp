@@ -1,4 +1,4 @@
-#include "fpm_in_space/second_order_fpm.hpp"
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,6 +13,7 @@
 #include "tests/relative.hpp"
 
 using namespace fpm_in_space;
+using namespace fpm_in_space::second_order_fpm;
 using base::Quad;
 using particles::Cloud;
 using particles::Exponents;
