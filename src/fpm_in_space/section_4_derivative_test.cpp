@@ -1,0 +1,155 @@
+#include "fpm_in_space/section_4_derivative_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/random.hpp"
+#include "base/text.hpp"
+#include "particles/quality.hpp"
+
+namespace fpm_in_space::derivative_test {
+
+using base::InvalidInput;
+using particles::Column;
+using particles::Operators;
+using particles::Points;
+
+template <int dim>
+double exponential_and_wave(const Point<dim>& x, const Exponents<dim>& a) {
+    const Point<dim> c = Point<3>(1, 0.5, -0.3).head<dim>(), k = Point<3>(1, 2, 1.5).head<dim>();
+    double wave = std::sin(k.dot(x) + particles::order<dim>(a) * std::acos(0.0)), growth = std::exp(c.dot(x));
+    for (int axis = 0; axis < dim; ++axis) {
+        growth *= std::pow(c[axis], a[static_cast<std::size_t>(axis)]);
+        wave *= std::pow(k[axis], a[static_cast<std::size_t>(axis)]);
+    }
+    return growth + wave;
+}
+
+template <int dim>
+Body<dim> body(Index n, double perturbation, unsigned long seed) {
+    if (n < 3) throw InvalidInput("a side needs at least 3 particles, got " + std::to_string(n));
+    if (!(perturbation >= 0 && perturbation < 0.5))
+        throw InvalidInput("the perturbation must lie in [0, 1/2), got " + base::shown(perturbation));
+    const auto N = static_cast<Index>(std::lround(std::pow(static_cast<double>(n), dim)));
+    base::Random random(seed);
+    /// A particle before it is sorted.
+    struct Placed {
+        int sides;
+        double order;
+        Point<dim> x;
+    };
+    std::vector<Placed> all;
+    all.reserve(static_cast<std::size_t>(N));
+    for (Index j = 0; j < N; ++j) {
+        Placed one{0, random.uniform(0, 1), {}};
+        Index rest = j;
+        for (double& coordinate : one.x) {
+            const Index k = rest % n;
+            rest /= n;
+            const bool on_side = k == 0 || k == n - 1;
+            const double moved =
+                on_side || perturbation == 0 ? 0 : random.uniform(-perturbation, perturbation);
+            one.sides += on_side ? 1 : 0;
+            coordinate = (static_cast<double>(k) + moved) / static_cast<double>(n - 1);
+        }
+        all.push_back(one);
+    }
+    std::sort(all.begin(), all.end(), [](const Placed& one, const Placed& other) {
+        return std::pair(one.sides, one.order) < std::pair(other.sides, other.order);
+    });
+    Points<dim> x(dim, N);
+    std::array<Range, dim + 1> on_sides;
+    for (Index j = 0; j < N; ++j) {
+        const Placed& one = all[static_cast<std::size_t>(j)];
+        x.col(j) = one.x;
+        Range& range = on_sides[static_cast<std::size_t>(one.sides)];
+        if (range.last == 0) range.first = j;
+        range.last = j + 1;
+    }
+    return {Cloud<dim>(x), on_sides};
+}
+
+template <int dim>
+std::string place_name(int sides) {
+    return sides == 0 ? "inside" : sides == dim ? "corner" : sides == dim - 1 ? "edge" : "face";
+}
+
+namespace {
+
+/// \param D rows of an operator, the first of which is that of particle `first`
+template <int dim>
+void compare(const particles::Operator<double>& D, const Cloud<dim>& cloud, const Exponents<dim>& a,
+             const Column<double>& values, const Function<dim>& B, const Column<double>& spacing, int exact,
+             Index first, std::vector<AtParticle>& found) {
+    base::for_each_index(D.rows(), [&](Index row) {
+        const Index i = first + row;
+        const int order = particles::order<dim>(a);
+        const double delta = spacing[spacing.size() == 1 ? 0 : i];
+        double sum = -B(cloud.x().col(i), a), R = 0;
+        for (typename particles::Operator<double>::InnerIterator entry(D, row); entry; ++entry) {
+            sum += entry.value() * (values[entry.col()] - values[i]);
+            double term = std::abs(entry.value()) * std::pow(delta, order);
+            for (int k = 1; k <= exact + 1; ++k)
+                term *= particles::distance(cloud, i, entry.col()) / delta / k;
+            R += term;
+        }
+        AtParticle& at = found[static_cast<std::size_t>(row)];
+        double& error = order == 1 ? at.first : at.second;
+        error = std::max(error, std::abs(sum));
+        if (order == 2) at.R = std::max(at.R, R);
+    });
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<AtParticle> errors(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
+                               const Smoothing<double, dim>& smoothing, const Column<double>& spacing,
+                               const std::type_identity_t<Function<dim>>& B, const Range& rows) {
+    constexpr Index block = 512;  // rows whose operators are in memory at once
+    Column<double> values(cloud.size());
+    for (Index j = 0; j < cloud.size(); ++j) values[j] = B(cloud.x().col(j), {});
+    std::vector<AtParticle> all;
+    for (Index first = rows.first; first < rows.last; first += block) {
+        const Range some{first, std::min(first + block, rows.last)};
+        const Operators<double, dim> operators =
+            particles::assemble(cloud, smoothing, formulation.required(), formulation.weights, some);
+        std::vector<AtParticle> found;
+        for (Index i = some.first; i < some.last; ++i) found.push_back({i, 0, 0, 0});
+        for (const auto& a : particles::monomials<dim, 2>())
+            if (const int order = particles::order<dim>(a); order > 0)
+                compare<dim>(derivative(operators, a), cloud, a, values, B, spacing,
+                             order == 1 ? formulation.exact.first : formulation.exact.second, first, found);
+        all.insert(all.end(), found.begin(), found.end());
+    }
+    return all;
+}
+
+AtParticle largest(const std::vector<AtParticle>& all) {
+    AtParticle most{-1, 0, 0, 0};
+    for (const AtParticle& one : all) {
+        if (most.particle < 0 || one.second > most.second) most.particle = one.particle;
+        most.first = std::max(most.first, one.first);
+        most.second = std::max(most.second, one.second);
+        most.R = std::max(most.R, one.R);
+    }
+    return most;
+}
+
+template double exponential_and_wave<2>(const Point<2>&, const Exponents<2>&);
+template double exponential_and_wave<3>(const Point<3>&, const Exponents<3>&);
+template Body<2> body(Index, double, unsigned long);
+template Body<3> body(Index, double, unsigned long);
+template std::string place_name<2>(int);
+template std::string place_name<3>(int);
+template std::vector<AtParticle> errors(const Formulation<double, 2>&, const Cloud<2>&,
+                                        const Smoothing<double, 2>&, const Column<double>&,
+                                        const Function<2>&, const Range&);
+template std::vector<AtParticle> errors(const Formulation<double, 3>&, const Cloud<3>&,
+                                        const Smoothing<double, 3>&, const Column<double>&,
+                                        const Function<3>&, const Range&);
+
+}  // namespace fpm_in_space::derivative_test
