@@ -98,9 +98,9 @@ Column<double> read_positions(const std::string& path, const std::vector<std::st
 
 namespace {
 
-/// "a,b" or "2,3": two columns that may be positions. Those of particles' numbers are none: whole numbers, of
-/// which a first column may have the name.
-std::string two_columns(const Columns& file) {
+/// "a,b" or "2,3,4": as many columns that may be positions. Those of particles' numbers are none: whole
+/// numbers, of which a first column may have the name.
+std::string columns_of_positions(const Columns& file, std::size_t dim) {
     const std::vector<std::string_view> names = file.names();
     const std::size_t count = file.rows().front().entries().size();
     const bool named = names.size() == count;
@@ -113,54 +113,74 @@ std::string two_columns(const Columns& file) {
     std::vector<std::size_t> places;
     for (std::size_t place = 0; place < count; ++place)
         if (!is_whole(place)) places.push_back(place);
-    if (places.size() < 2) {
+    if (places.size() < dim) {
         constexpr std::array<std::string_view, 7> of_numbers{"id", "ID",       "index", "number",
                                                              "no", "particle", "node"};
         const bool counted = file.counts_rows(0) || (named && std::find(of_numbers.begin(), of_numbers.end(),
                                                                         names[0]) != of_numbers.end());
-        places = counted ? std::vector<std::size_t>{1, 2} : std::vector<std::size_t>{0, 1};
+        places.clear();
+        for (std::size_t k = 0; k < dim; ++k) places.push_back(k + (counted ? 1 : 0));
     }
     const auto column = [&](std::size_t place) {
         const bool has_name = named && !names[place].empty() && names[place].front() != '"';
         return has_name ? std::string(names[place]) : std::to_string(place + 1);
     };
-    return column(places[0]) + "," + column(places[1]);
+    std::string text;
+    for (std::size_t k = 0; k < dim; ++k) text += (k > 0 ? "," : "") + column(places[k]);
+    return text;
 }
 
-/// Refuses a layout that does not have two columns, with those that may be meant.
-void check_two_columns(const Columns& file) {
+/// "x,y" or "x,y,z"
+std::string coordinates(std::size_t dim) {
+    return dim == 2 ? "x,y" : "x,y,z";
+}
+
+/// "two columns, x,y"
+std::string columns_in_words(std::size_t dim) {
+    return (dim == 2 ? "two columns, " : "three columns, ") + coordinates(dim);
+}
+
+/// Refuses a file that does not have as many columns as coordinates, with those that may be meant.
+void check_columns(const Columns& file, const std::string& what, std::size_t dim) {
     const Columns::Row& row = file.rows().front();
     const std::size_t count = row.entries().size();
-    if (count == 2) return;
+    if (count == dim) return;
     const bool whole = row.text.find_first_not_of("0123456789,-") == std::string_view::npos;
     const auto in_one_word = [](const std::string& names) {
         return names.find(' ') == std::string::npos ? names : '"' + names + '"';
     };
+    const std::string needs = "; " + what + " needs " + coordinates(dim);
     file.refuse(row, row.text,
-                count == 1 ? "has 1 column; a layout needs x,y"
-                           : "has " + std::to_string(count) +
-                                 " columns; a layout needs x,y: choose them, such as --columns " +
-                                 in_one_word(two_columns(file)) +
-                                 (whole ? "; or, if its commas are decimal, write points" : ""));
+                count < dim
+                    ? "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + needs
+                    : "has " + std::to_string(count) + " columns" + needs +
+                          ": choose them, such as --columns " + in_one_word(columns_of_positions(file, dim)) +
+                          (whole ? "; or, if its commas are decimal, write points" : ""));
 }
 
-}  // namespace
-
-Points<2> read_points(const std::string& path, const std::vector<std::string>& columns) {
-    const Columns file("--layout", path);
+/// The coordinates in a file, particle by particle.
+/// \param what the particles are, for messages: "a layout"
+std::vector<double> coordinates_in(const std::string& option, const std::string& path,
+                                   const std::vector<std::string>& columns, const std::string& what,
+                                   std::size_t dim) {
+    const Columns file(option, path);
     const std::size_t header = file.names().size();
     std::vector<std::size_t> places;
-    if (!columns.empty() && columns.size() != 2)
-        throw InvalidInput("--columns: a layout has two columns, x,y, not " + std::to_string(columns.size()));
+    if (!columns.empty() && columns.size() != dim)
+        throw InvalidInput("--columns: " + what + " has " + columns_in_words(dim) + ", not " +
+                           std::to_string(columns.size()));
     std::transform(columns.begin(), columns.end(), std::back_inserter(places),
                    [&](const std::string& column) { return file.place_of(column); });
-    for (const auto& [name, other] : {std::pair{"x1", "x2"}, std::pair{"x", "y"}})
-        if (const auto named = file.place_named(name), named_other = file.place_named(other);
-            places.empty() && named && named_other)
-            places = {*named, *named_other};
+    for (const std::array<std::string_view, 3>& names :
+         {std::array<std::string_view, 3>{"x1", "x2", "x3"}, {"x", "y", "z"}}) {
+        std::vector<std::size_t> named;
+        for (std::size_t k = 0; k < dim; ++k)
+            if (const auto place = file.place_named(names.at(k))) named.push_back(*place);
+        if (places.empty() && named.size() == dim) places = named;
+    }
     const bool chosen = !places.empty();
-    if (!chosen) places = {0, 1};
-    if (!chosen && !file.rows().empty()) check_two_columns(file);
+    for (std::size_t k = 0; k < dim && !chosen; ++k) places.push_back(k);
+    if (!chosen && !file.rows().empty()) check_columns(file, what, dim);
     std::vector<double> x;
     for (const Columns::Row& row : file.rows()) {
         if (!chosen) check_count(file, row);
@@ -168,12 +188,31 @@ Points<2> read_points(const std::string& path, const std::vector<std::string>& c
             file.refuse(row, row.text,
                         "has " + std::to_string(count) + " columns, the header " + std::to_string(header) +
                             (&row == &file.rows().front()
-                                 ? "; choose two by number, such as --columns " + two_columns(file)
+                                 ? "; choose " + std::string(dim == 2 ? "two" : "three") +
+                                       " by number, such as --columns " + columns_of_positions(file, dim)
                                  : ""));
         for (const std::size_t place : places) x.push_back(file.number(row, place));
     }
-    return Eigen::Map<Points<2>>(x.data(), 2, static_cast<Index>(x.size() / 2));
+    return x;
 }
+
+}  // namespace
+
+Points<2> read_points(const std::string& path, const std::vector<std::string>& columns) {
+    return read_points<2>("--layout", path, columns, "a layout");
+}
+
+template <int dim>
+Points<dim> read_points(const std::string& option, const std::string& path,
+                        const std::vector<std::string>& columns, const std::string& what) {
+    std::vector<double> x = coordinates_in(option, path, columns, what, dim);
+    return Eigen::Map<Points<dim>>(x.data(), dim, static_cast<Index>(x.size()) / dim);
+}
+
+template Points<2> read_points(const std::string&, const std::string&, const std::vector<std::string>&,
+                               const std::string&);
+template Points<3> read_points(const std::string&, const std::string&, const std::vector<std::string>&,
+                               const std::string&);
 
 namespace {
 

@@ -26,6 +26,12 @@ particles::Column<double> read_positions(const std::string& path,
 ///         header's columns
 particles::Points<2> read_points(const std::string& path, const std::vector<std::string>& columns = {});
 
+/// The same for the file of any option, in the plane or in space: x₁, x₂ and x₃, or x, y and z.
+/// \param what the particles are, for messages: "a layout"
+template <int dim>
+particles::Points<dim> read_points(const std::string& option, const std::string& path,
+                                   const std::vector<std::string>& columns, const std::string& what);
+
 /// A file, and a column in it; no column where it has but one.
 struct NamedFile {
     std::string path, column;

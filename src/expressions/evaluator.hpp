@@ -11,8 +11,10 @@ namespace expressions {
 template <class Scalar>
 Scalar number(const std::string& text);
 
-/// The program of a function that is smooth on [0, 1]. \throws base::InvalidInput as smooth() does
-Program smooth_program(const std::string& option, const std::string& text);
+/// The program of a function that is smooth on [0, 1], or on the unit square or cube.
+/// \throws base::InvalidInput as smooth() does
+Program smooth_program(const std::string& option, const std::string& text,
+                       const std::vector<std::string>& variables = {"x"});
 
 /// An operation on one or two jets. The name of a function is what one types; that of an operator is what
 /// messages call its result.
@@ -59,14 +61,17 @@ Evaluator<Scalar>::Evaluator(const Program& program) : steps_(program.steps) {
 }
 
 template <class Scalar>
-std::vector<Jet<Scalar>> Evaluator<Scalar>::results(std::span<const Scalar> at) const {
+std::vector<Jet<Scalar>> Evaluator<Scalar>::results(std::span<const Scalar> at,
+                                                    std::span<const double> direction) const {
     std::vector<Jet<Scalar>> results;
     results.reserve(steps_.size());
     for (const auto& [kind, which, a, b] : steps_) {
         if (kind == Step::Kind::number)
             results.push_back({numbers_[which]});
         else if (kind == Step::Kind::variable)
-            results.push_back({at[which], Scalar(which == 0 ? 1 : 0)});
+            results.push_back({at[which], Scalar(!direction.empty() ? direction[which]
+                                                 : which == 0       ? 1.0
+                                                                    : 0.0)});
         else
             results.push_back(operations<Scalar>()[which].apply(results[a], results[b]));
     }

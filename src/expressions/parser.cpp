@@ -284,49 +284,91 @@ const Operation<Interval>* kink(const Program& program, const std::vector<Jet<In
     return nullptr;
 }
 
+/// An interval for each variable.
+using Box = std::vector<Interval>;
+
+/// The axes, and the directions between two of them: derivatives along these determine all up to the second.
+std::vector<std::vector<double>> directions(std::size_t dim) {
+    std::vector<std::vector<double>> all;
+    for (std::size_t one = 0; one < dim; ++one)
+        for (std::size_t other = one; other < dim; ++other) {
+            std::vector<double> along(dim, 0);
+            along[one] = along[other] = 1;
+            all.push_back(along);
+        }
+    return all;
+}
+
+/// The two halves of a box, cut across its longest side.
+std::array<Box, 2> halves(const Box& box, std::size_t longest) {
+    const double middle = box[longest].lower + (box[longest].upper - box[longest].lower) / 2;
+    std::array<Box, 2> both{box, box};
+    both[0][longest].upper = both[1][longest].lower = middle;
+    return both;
+}
+
+/// "x = 0.5" or "(x, y) = (0.5, 0)": a place of a small box, at the end of [0, 1] where it reaches to it.
+std::string place(const Box& box, const std::vector<std::string>& variables) {
+    std::ostringstream names, numbers;
+    numbers.imbue(std::locale::classic());
+    numbers.precision(4);
+    for (std::size_t k = 0; k < box.size(); ++k) {
+        const auto& [lower, upper] = static_cast<const base::Interval&>(box[k]);
+        names << (k > 0 ? ", " : "") << variables[k];
+        numbers << (k > 0 ? ", " : "") << (lower == 0 ? 0 : upper == 1 ? 1 : lower + (upper - lower) / 2);
+    }
+    return box.size() == 1 ? names.str() + " = " + numbers.str()
+                           : "(" + names.str() + ") = (" + numbers.str() + ")";
+}
+
 /// \throws InvalidInput naming the first of f, f′, f″ that is not bounded, and a place of [0, 1]
-void check_bounded(const Program& program) {
+void check_bounded(const Program& program, const std::vector<std::string>& variables) {
     const double narrowest = std::exp2(-40);
     const Evaluator<Interval> evaluator(program);
-    std::vector<Interval> pieces{{0, 1}};
+    const auto along = directions(variables.size());
+    std::vector<Box> pieces{Box(variables.size(), {0, 1})};
     int known = 3;  // orders that are bounded on all pieces so far
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message.precision(4);
+    std::string message;
     for (std::size_t work = 0; !pieces.empty();) {
-        const Interval piece = pieces.back();
+        const Box piece = pieces.back();
         pieces.pop_back();
-        work += program.steps.size();
-        const auto results = evaluator.results({&piece, 1});
-        const int orders = bounded_orders(results.back());
+        int orders = 3;
+        std::vector<Jet<Interval>> results;
+        for (std::size_t k = 0; k < along.size() && orders > 0; ++k) {
+            work += program.steps.size();
+            const auto found = evaluator.results(piece, along[k]);
+            if (k > 0 && bounded_orders(found.back()) >= orders) continue;
+            results = found;
+            orders = bounded_orders(found.back());
+        }
         if (orders >= known) continue;
-        const double middle = piece.lower + (piece.upper - piece.lower) / 2;
-        if (piece.upper - piece.lower > narrowest && work < most_work) {
-            pieces.emplace_back(middle, piece.upper);
-            pieces.emplace_back(piece.lower, middle);
+        const auto longest = std::max_element(piece.begin(), piece.end(), [](const auto& a, const auto& b) {
+            return a.upper - a.lower < b.upper - b.lower;
+        });
+        if (longest->upper - longest->lower > narrowest && work < most_work) {
+            auto [lower, upper] = halves(piece, static_cast<std::size_t>(longest - piece.begin()));
+            pieces.push_back(std::move(upper));
+            pieces.push_back(std::move(lower));
             continue;
         }
         known = orders;
         constexpr std::array what{"the function", "its first derivative", "its second derivative"};
         const auto* const kinked = kink(program, results);
-        message.str("");
-        if (kinked != nullptr)
-            message << kinked->name << " has a kink where its arguments meet,";
-        else
-            message << what.at(static_cast<std::size_t>(orders)) << " is not real and bounded";
-        message << " near x = "
-                << (piece.lower == 0   ? 0
-                    : piece.upper == 1 ? 1
-                                       : middle)
-                << "; take one that is smooth on [0, 1]";
+        message = kinked != nullptr
+                      ? std::string(kinked->name) + " has a kink where its arguments meet,"
+                      : std::string(what.at(static_cast<std::size_t>(orders))) + " is not real and bounded";
+        message += " near " + place(piece, variables) + "; take one that is smooth on " +
+                   (variables.size() == 1   ? "[0, 1]"
+                    : variables.size() == 2 ? "the unit square"
+                                            : "the unit cube");
     }
-    if (known < 3) throw InvalidInput(message.str());
+    if (known < 3) throw InvalidInput(message);
 }
 
 }  // namespace
 
-std::string vocabulary() {
-    return "numbers, x, pi, e, + - * / ^ ( )" + function_names();
+std::string vocabulary(const std::string& variables) {
+    return "numbers, " + variables + ", pi, e, + - * / ^ ( )" + function_names();
 }
 
 Program parsed(std::string_view text, const std::vector<std::string>& variables) {
@@ -346,14 +388,40 @@ std::vector<std::string> separated(std::string_view list) {
     return parts;
 }
 
-Program smooth_program(const std::string& option, const std::string& text) {
+namespace {
+
+/// What `work` returns of a text; its errors name the option and the text.
+template <class Work>
+auto of_option(const std::string& option, const std::string& text, const Work& work) {
     try {
-        Program program = parsed(text);
-        check_bounded(program);
-        return program;
+        return work();
     } catch (const InvalidInput& error) {
         throw InvalidInput(option + ": " + quoted(text) + " : " + error.what());
     }
+}
+
+}  // namespace
+
+Program smooth_program(const std::string& option, const std::string& text,
+                       const std::vector<std::string>& variables) {
+    return of_option(option, text, [&] {
+        Program program = parsed(text, variables);
+        check_bounded(program, variables);
+        return program;
+    });
+}
+
+Directional directional(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& variables) {
+    const Evaluator<double> jet(of_option(option, text, [&] { return parsed(text, variables); }));
+    return [jet](std::span<const double> at, std::span<const double> direction) {
+        return jet.results(at, direction).back();
+    };
+}
+
+void require_smooth(const std::string& option, const std::string& text,
+                    const std::vector<std::string>& variables) {
+    static_cast<void>(smooth_program(option, text, variables));
 }
 
 template base::Smooth<double> smooth(const std::string&, const std::string&);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,8 +26,8 @@ struct Program {
     std::vector<std::string> numbers;  ///< a whole number and a power of ten: 1.5 is 15e-1
 };
 
-/// What an expression of x is made of, for --help.
-std::string vocabulary();
+/// What an expression is made of, for --help. \param variables their names, with commas between
+std::string vocabulary(const std::string& variables = "x");
 
 /// Reads an expression of variables, decimal numbers, pi and e, with + - * / ^, parentheses and functions.
 /// Powers bind before signs, and from the right: -x^2 is -(x^2).
@@ -49,7 +50,10 @@ class Evaluator {
     [[nodiscard]] Jet<Scalar> operator()(std::span<const Scalar> at) const { return results(at).back(); }
 
     /// The results of all steps.
-    [[nodiscard]] std::vector<Jet<Scalar>> results(std::span<const Scalar> at) const;
+    /// \param direction e of the derivatives \f$e\cdot\nabla f,\ e^T (\nabla\nabla f)\,e\f$, an entry for each
+    ///        variable; empty for that of the first
+    [[nodiscard]] std::vector<Jet<Scalar>> results(std::span<const Scalar> at,
+                                                   std::span<const double> direction = {}) const;
 
   private:
     std::vector<Step> steps_;
@@ -67,5 +71,19 @@ class Evaluator {
 ///         derivative is not bounded
 template <class Scalar = double>
 base::Smooth<Scalar> smooth(const std::string& option, const std::string& text);
+
+/// A function of several variables with its derivatives along a direction: from those along the axes and
+/// between them follow all derivatives up to the second.
+/// \param at the variables \param direction an entry for each of them
+using Directional = std::function<Jet<double>(std::span<const double> at, std::span<const double> direction)>;
+
+/// \param variables their names, such as x and y
+/// \throws base::InvalidInput as parsed() does
+Directional directional(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& variables);
+
+/// Refuses a function that is not smooth on the unit square or cube, as smooth() does on [0, 1].
+void require_smooth(const std::string& option, const std::string& text,
+                    const std::vector<std::string>& variables);
 
 }  // namespace expressions

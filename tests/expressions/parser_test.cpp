@@ -387,6 +387,44 @@ TEST_CASE("expression: several variables have values, and derivatives in the fir
     CHECK(refused("1/y+log(z-z)") == "accepted");  // values are the caller's to look at
 }
 
+TEST_CASE("expression: derivatives along the axes and between them give all second derivatives") {
+    const auto f = directional("--function", "x^2*y*z+sin(x*y)", {"x", "y", "z"});
+    const std::array<double, 3> at{0.5, 0.75, 2};
+    const auto along = [&](const std::array<double, 3>& direction) { return f(at, direction); };
+    const double s = std::sin(0.375), c = std::cos(0.375);
+    CHECK(along({0, 1, 0}).first == support::relative(0.5 + 0.5 * c, 1e-14));
+    CHECK(along({0, 0, 1}).first == support::relative(0.1875, 1e-14));
+    CHECK(along({0, 1, 0}).second == support::relative(-0.25 * s, 1e-14));
+    CHECK((along({1, 1, 0}).second - along({1, 0, 0}).second - along({0, 1, 0}).second) / 2 ==
+          support::relative(2 + c - 0.375 * s, 1e-13));
+    CHECK((along({0, 1, 1}).second - along({0, 1, 0}).second - along({0, 0, 1}).second) / 2 ==
+          support::relative(0.25, 1e-13));
+}
+
+TEST_CASE("expression: a function is smooth on the unit square or cube, or the place is named") {
+    const auto refused = [](const std::string& text, const std::vector<std::string>& variables) {
+        try {
+            require_smooth("--function", text, variables);
+        } catch (const base::InvalidInput& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    const std::vector<std::string> plane{"x", "y"}, space{"x", "y", "z"};
+    CHECK(refused("exp(x+y/2)+sin(x+2*y)", plane) == "accepted");
+    CHECK(refused("sqrt(1+x*y*z)/(2-z)", space) == "accepted");
+    CHECK(
+        refused("1/(x^2+(y-0.25)^2+(z-1)^2)", space) ==
+        "--function: '1/(x^2+(y-0.25)^2+(z-1)^2)' : the function is not real and bounded near (x, y, z) = (0, 0.25, 1); take one that is smooth on the unit cube");
+    CHECK(
+        refused("x^2+sqrt(y)", plane) ==
+        "--function: 'x^2+sqrt(y)' : its first derivative is not real and bounded near (x, y) = (0, 0); take one that is smooth on the unit square");
+    CHECK(refused("max(x,y)", plane).find("max has a kink where its arguments meet, near (x, y) = (0, 0);") !=
+          std::string::npos);
+    CHECK(refused("sqrt(y-x)", plane).find("the function is not real") != std::string::npos);
+    CHECK(refused("z", plane).find("there is no 'z'") != std::string::npos);
+}
+
 TEST_CASE(
     "expression: min and max are taken where one argument is the smaller all over, and refused at a kink") {
     CHECK(read("min(x,2)").f(0.5) == 0.5);

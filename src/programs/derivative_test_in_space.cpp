@@ -1,0 +1,443 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/memory.hpp"
+#include "base/text.hpp"
+#include "command_line/layouts.hpp"
+#include "command_line/lists.hpp"
+#include "command_line/options.hpp"
+#include "command_line/orders.hpp"
+#include "command_line/positions.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/sweep.hpp"
+#include "expressions/parser.hpp"
+#include "fpm_in_space/section_4_derivative_test.hpp"
+#include "particles/spacing.hpp"
+#include "report/statistics.hpp"
+
+namespace {
+
+using namespace fpm_in_space;
+using base::InvalidInput;
+using base::shown;
+using derivative_test::AtParticle;
+using particles::Cloud;
+using particles::Column;
+using particles::Exponents;
+using particles::Index;
+using particles::Point;
+using particles::Range;
+using report::Cell;
+
+struct Options {
+    long dimension = 2;
+    std::vector<std::string> formulations{"definite_fpm", "ssph"}, layouts{"grid"}, columns;
+    std::vector<long> particles;
+    std::vector<double> perturbations{0};
+    unsigned long seed = 1, seeds = 1;
+    bool median = false, states = false;
+    long sample = 0;
+    std::optional<std::string> kernel, function;
+    double cut = 0, smoothing = 1.2;
+    std::string smoothing_from = "mean";
+    particles::Spacing spacing = particles::Spacing::mean;
+    int threads = 0;
+    std::string output;
+    command_line::Figure figure{"fpm_in_space/errors.gp"};
+};
+
+/// Names of the coordinates.
+std::vector<std::string> axes(long dimension) {
+    return dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+}
+
+bool is_grid(const std::string& layout) {
+    return layout == "grid";
+}
+bool is_file(const std::string& layout) {
+    return layout.find_first_of("./") != std::string::npos;
+}
+/// Whether another seed gives other particles.
+bool is_drawn(const std::string& layout, double perturbation) {
+    return is_grid(layout) ? perturbation != 0 : !is_file(layout) && command_line::is_drawn(layout);
+}
+
+/// What is computed at once: one cloud, one formulation.
+struct Case {
+    std::string formulation, layout;
+    double perturbation;
+    long n;  ///< particles along a side of a grid
+    unsigned long seed;
+};
+
+/// The cases that differ in their seeds only are one row with --median.
+struct Group {
+    Case first;
+    unsigned long seeds;
+};
+
+std::vector<Group> groups(const Options& options) {
+    std::vector<Group> all;
+    for (const std::string& formulation :
+         command_line::chosen("formulation", options.formulations, formulation_names()))
+        for (const std::string& layout : options.layouts)
+            for (const double perturbation : is_grid(layout) ? options.perturbations : std::vector<double>{0})
+                for (const long n : is_grid(layout) ? options.particles : std::vector<long>{0}) {
+                    const unsigned long seeds = is_drawn(layout, perturbation) ? options.seeds : 1;
+                    const Case one{formulation, layout, perturbation, n, options.seed};
+                    if (options.median)
+                        all.push_back({one, seeds});
+                    else
+                        for (unsigned long k = 0; k < seeds; ++k)
+                            all.push_back({{formulation, layout, perturbation, n, options.seed + k}, 1});
+                }
+    return all;
+}
+
+/// Particles, and those that lie at each place.
+template <int dim>
+struct Placed {
+    Cloud<dim> cloud;
+    std::vector<std::pair<std::string, Range>> places;
+};
+
+template <int dim>
+Placed<dim> all_of(const particles::Points<dim>& x) {
+    return {Cloud<dim>(x), {{"all", {0, x.cols()}}}};
+}
+
+/// The particles of a case; of a grid's places, those of the sample.
+template <int dim>
+Placed<dim> placed(const Options& options, const Case& one) {
+    if (is_file(one.layout))
+        return all_of<dim>(command_line::read_points<dim>("--layout", one.layout, options.columns,
+                                                          dim == 2 ? "a layout" : "a layout in space"));
+    if (!is_grid(one.layout)) {
+        if constexpr (dim == 2) {
+            const command_line::Layouts layouts({one.layout}, {}, 0, options.smoothing);
+            return all_of<2>(layouts.around({}, one.layout, one.seed).x);
+        }
+        throw InvalidInput("--layout " + one.layout + " lies in the plane; leave --dimension 3 out");
+    }
+    auto [cloud, on_sides] = derivative_test::body<dim>(one.n, one.perturbation, one.seed);
+    std::vector<std::pair<std::string, Range>> places;
+    for (int sides = 0; sides <= dim; ++sides) {
+        Range range = on_sides[static_cast<std::size_t>(sides)];
+        if (options.sample > 0) range.last = std::min(range.last, range.first + options.sample);
+        places.emplace_back(derivative_test::place_name<dim>(sides), range);
+    }
+    return {std::move(cloud), places};
+}
+
+/// The radius at which the Gaussian is lowered to zero, unless another kernel was asked for.
+double cut_of(const Options& options) {
+    return options.cut > 0 ? options.cut : options.dimension == 2 ? 3.5 : 3;
+}
+
+template <int dim>
+particles::Kernel<dim> kernel_of(const Options& options) {
+    if (options.kernel) return particles::kernel_named<dim>(*options.kernel);
+    return particles::TruncatedGaussian<dim>(cut_of(options));
+}
+
+/// The user's function, or that of the text. A second derivative in two coordinates follows from those along
+/// the axes and between them: \f$2\,\partial_{12} f = \partial^2_{1+2} f - \partial_{11} f - \partial_{22} f\f$.
+template <int dim>
+derivative_test::Function<dim> function_of(const Options& options) {
+    if (!options.function) return derivative_test::exponential_and_wave<dim>;
+    const auto f = expressions::directional("--function", *options.function, axes(dim));
+    return [f](const Point<dim>& x, const Exponents<dim>& a) {
+        const auto along = [&](const Point<dim>& direction) {
+            return f({x.data(), dim}, {direction.data(), dim});
+        };
+        Point<dim> sum = Point<dim>::Zero();
+        double pure = 0;  // the sum of the second derivatives along the axes in a
+        int count = 0;
+        for (int axis = 0; axis < dim; ++axis)
+            if (a[static_cast<std::size_t>(axis)] > 0) {
+                sum[axis] = 1;
+                pure += along(Point<dim>::Unit(axis)).second;
+                ++count;
+            }
+        const auto found = along(sum);
+        const int order = particles::order<dim>(a);
+        if (order < 2) return order == 0 ? found.value : found.first;
+        return count == 1 ? pure : (found.second - pure) / 2;
+    };
+}
+
+/// What is found at each place of a case.
+template <int dim>
+std::vector<std::vector<AtParticle>> found(const Options& options, const Case& one,
+                                           const Placed<dim>& particles,
+                                           const derivative_test::Function<dim>& B) {
+    const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
+    const particles::Smoothing<double, dim> smoothing(kernel_of<dim>(options), spacing, options.smoothing);
+    std::vector<std::vector<AtParticle>> all;
+    for (const auto& [name, rows] : particles.places)
+        all.push_back(derivative_test::errors(formulation_named<double, dim>(one.formulation),
+                                              particles.cloud, smoothing, spacing, B, rows));
+    return all;
+}
+
+/// Cells that name a case.
+std::vector<Cell> named(const Case& one) {
+    const bool grid = is_grid(one.layout);
+    return {one.formulation,
+            one.layout,
+            grid ? Cell(one.n) : Cell(),
+            grid ? Cell(1 / static_cast<double>(one.n - 1)) : Cell(),
+            grid ? Cell(one.perturbation) : Cell(),
+            is_drawn(one.layout, one.perturbation) ? Cell(static_cast<long>(one.seed)) : Cell()};
+}
+const std::vector<report::ColumnHead> naming{{"formulation"}, {"layout"},       {"particles"},
+                                             {"spacing"},     {"perturbation"}, {"seed"}};
+const std::vector<report::ColumnHead> measured{
+    {"error_first", {1e-6, 1e-12}}, {"error_second", {1e-6, 2e-10}}, {"quality", {1e-6, 1e-9}}};
+
+/// The comments of a table.
+std::vector<std::string> comments(const Options& options, const std::string& what) {
+    std::string equations;
+    for (const auto& formulation : formulations<double, 2>())
+        if (const auto all = command_line::chosen("formulation", options.formulations, formulation_names());
+            std::find(all.begin(), all.end(), formulation.name) != all.end())
+            equations += (equations.empty() ? "" : ", ") + std::string(formulation.name) + " " +
+                         std::string(formulation.equations);
+    return {"FPM in space, Section 4: " + what + " for B = " +
+                options.function.value_or(options.dimension == 2 ? "exp(x+y/2)+sin(x+2*y)"
+                                                                 : "exp(x+y/2-0.3*z)+sin(x+2*y+1.5*z)"),
+            "equations: " + equations,
+            "kernel " +
+                (options.kernel ? *options.kernel
+                                : "gaussian, lowered to zero at " + shown(cut_of(options)) + " h") +
+                ", h/" + (options.smoothing_from == "mean" ? "delta" : options.smoothing_from + " spacing") +
+                " " + shown(options.smoothing) +
+                (options.sample > 0
+                     ? ", at most " + std::to_string(options.sample) + " random particles of each place"
+                     : ""),
+            "quality: R, the factor in the bound of the error of second derivatives in powers of delta"};
+}
+
+/// The rows of a group, one for each place: the largest errors, with --median their medians and quartiles.
+template <int dim>
+std::vector<std::vector<Cell>> rows(const Options& options, const Group& group,
+                                    const derivative_test::Function<dim>& B) {
+    std::vector<std::string> places;
+    std::vector<long> counts;
+    std::vector<std::array<std::vector<double>, 3>> samples;
+    for (unsigned long k = 0; k < group.seeds; ++k) {
+        Case one = group.first;
+        one.seed += k;
+        const auto particles = placed<dim>(options, one);
+        const auto all = found<dim>(options, one, particles, B);
+        samples.resize(all.size());
+        for (std::size_t place = 0; place < all.size(); ++place) {
+            const AtParticle most = derivative_test::largest(all[place]);
+            samples[place][0].push_back(most.first);
+            samples[place][1].push_back(most.second);
+            samples[place][2].push_back(most.R);
+            if (k > 0) continue;
+            places.push_back(particles.places[place].first);
+            counts.push_back(static_cast<long>(all[place].size()));
+        }
+    }
+    std::vector<std::vector<Cell>> table;
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        std::vector<Cell> row = named(group.first), spread{static_cast<long>(group.seeds)};
+        row.insert(row.end(), {places[place], counts[place]});
+        for (const std::vector<double>& sample : samples[place]) {
+            const auto [lower, median, upper] = report::quartiles(sample);
+            row.emplace_back(median);
+            spread.insert(spread.end(), {lower, upper});
+        }
+        if (options.median) row.insert(row.end(), spread.begin(), spread.end());
+        table.push_back(std::move(row));
+    }
+    return table;
+}
+
+template <int dim>
+report::Table table_of(const Options& options) {
+    report::Table table;
+    table.comments = comments(options, "largest errors of the first and second derivatives by place");
+    table.columns = naming;
+    table.columns.insert(table.columns.end(), {{"place"}, {"count"}});
+    table.columns.insert(table.columns.end(), measured.begin(), measured.end());
+    if (options.median) {
+        table.columns.push_back({"seeds"});
+        for (const auto& column : measured)
+            for (const char* quartile : {"_lower", "_upper"})
+                table.columns.push_back({column.name + quartile, column.tolerance});
+    }
+    const auto all = groups(options);
+    const auto B = function_of<dim>(options);
+    command_line::Sweep sweep(table, naming.size());
+    command_line::Progress progress(all.size());
+    for (const Group& group : all) {
+        sweep.attempt(named(group.first), [&] { return rows<dim>(options, group, B); });
+        progress.step();
+    }
+    sweep.finish();
+    const bool grids = std::all_of(options.layouts.begin(), options.layouts.end(), is_grid);
+    if (grids && command_line::is_standard_output(options.output)) {
+        const std::size_t spacing = table.column("spacing");
+        command_line::add_orders(table, {"formulation", "perturbation", "seed", "place"},
+                                 [&](std::size_t row) { return std::get<double>(table.rows[row][spacing]); });
+    }
+    return table;
+}
+
+/// A row for each particle: its place, its position and what is found there.
+template <int dim>
+report::Table states_of(const Options& options) {
+    report::Table table;
+    table.comments = comments(options, "errors of the derivatives at each particle");
+    table.columns = naming;
+    table.columns.insert(table.columns.end(), {{"place"}, {"particle"}});
+    for (const std::string& axis : axes(dim)) table.columns.push_back({axis});
+    table.columns.insert(table.columns.end(), measured.begin(), measured.end());
+    const auto all = groups(options);
+    const auto B = function_of<dim>(options);
+    command_line::Sweep sweep(table, naming.size());
+    command_line::Progress progress(all.size());
+    for (const Group& group : all) {
+        const std::vector<Cell> name = named(group.first);
+        sweep.attempt(name, [&] {
+            const auto particles = placed<dim>(options, group.first);
+            const auto at = found<dim>(options, group.first, particles, B);
+            std::vector<std::vector<Cell>> states;
+            for (std::size_t place = 0; place < at.size(); ++place)
+                for (const auto& [i, first, second, R] : at[place]) {
+                    std::vector<Cell> row = name;
+                    row.insert(row.end(), {particles.places[place].first, static_cast<long>(i)});
+                    for (const double x : particles.cloud.x().col(i)) row.emplace_back(x);
+                    row.insert(row.end(), {first, second, R});
+                    states.push_back(std::move(row));
+                }
+            return states;
+        });
+        progress.step();
+    }
+    sweep.finish();
+    return table;
+}
+
+/// \throws base::InvalidInput for what changes nothing, has no meaning, or cannot be drawn
+void check(const Options& options) {
+    const auto& layouts = options.layouts;
+    const bool grid = std::any_of(layouts.begin(), layouts.end(), is_grid),
+               file = std::any_of(layouts.begin(), layouts.end(), is_file);
+    bool drawn = false;
+    for (const std::string& layout : layouts) {
+        if (!is_grid(layout) && !is_file(layout) && options.dimension == 3)
+            throw InvalidInput("--layout " + layout + " is none in space; choose grid or a file");
+        for (const double a : options.perturbations) drawn = drawn || is_drawn(layout, a);
+    }
+    const auto refuse_idle = [](const std::string& option, bool given, const std::string& without) {
+        if (given) throw InvalidInput(option + " changes nothing without " + without);
+    };
+    const std::string other = "a perturbed grid or a graded layout; add --perturb 0.25, say";
+    refuse_idle("--seeds", options.seeds > 1 && !drawn, other);
+    refuse_idle("--seed", options.seed != 1 && !drawn, other);
+    refuse_idle("--columns", !options.columns.empty() && !file, "a --layout FILE");
+    refuse_idle("--sample", options.sample > 0 && !grid, "a grid");
+    refuse_idle("--perturb", options.perturbations != std::vector<double>{0} && !grid, "a grid");
+    refuse_idle("--median", options.median && options.states, "largest errors; leave --states out");
+    if (grid && options.function)
+        expressions::require_smooth("--function", *options.function, axes(options.dimension));
+    for (const long n : options.particles) {
+        const auto N = std::pow(static_cast<double>(std::max(n, 0L)), options.dimension);
+        base::require_memory(shown(N, 12) + " particles", 200 * N, "take fewer --particles along a side");
+    }
+    if (options.figure.path.empty()) return;
+    const std::size_t clouds =
+        layouts.size() * options.perturbations.size() * options.seeds * (grid ? options.particles.size() : 1);
+    const auto names = command_line::chosen("formulation", options.formulations, formulation_names());
+    if (options.states && (clouds > 1 || names.size() > 1))
+        throw InvalidInput(
+            "--states --plot draws the errors of one formulation on one cloud; take one --formulation, one number of --particles, one perturbation and one seed");
+    if (!options.states && (!grid || layouts.size() > 1))
+        throw InvalidInput("--plot draws errors against the particles of a grid; for a layout add --states");
+    if (!options.states && (options.perturbations.size() > 2 || (options.seeds > 1 && !options.median)))
+        throw InvalidInput(
+            "--plot draws at most two perturbations, such as 0,0.25, and of seeds the --median");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    command_line::CommandLine app(
+        "The second-order FPM in the plane and in space, Section 4: largest errors of the first and second derivatives inside and at faces, edges and corners of the unit square or cube.",
+        "derivative_test_in_space",
+        "Example: derivative_test_in_space --formulation definite_fpm --particles 31,61,121 --perturb 0.25 --plot /tmp/plane.svg\n"
+        "In space: derivative_test_in_space --dimension 3 --function \"sin(x+2*y)*exp(z)\" --particles 9,17\n"
+        "Particles of your own: derivative_test_in_space --layout body.csv --smoothing-from local --states --plot /tmp/body.svg");
+    Options options;
+    app.column_width(34);
+    app.add_option("--dimension", options.dimension, "2, the plane (default), or 3, space")
+        .type_name("2|3")
+        .within(2, 3);
+    app.add_list("--formulation", options.formulations,
+                 "formulations: all, or some of " + command_line::joined(formulation_names()) +
+                     " (default definite_fpm,ssph)");
+    app.add_list("--particles", options.particles,
+                 "particles along a side of a grid: a list or a range (default 16,31,61; in space 9,13,17)");
+    app.add_list(
+           "--layout", options.layouts,
+           "layouts, separated by commas: grid (default); in the plane graded-N-A or polar-AxR around a hole, as `hole` takes them; or a file with a line x,y or x,y,z for each particle")
+        .type_name("NAME|FILE[,...]");
+    app.add_list("--columns", options.columns,
+                 "the columns of positions in a file, by names or by numbers from 1 (default: x,y,z)")
+        .type_name("X,Y[,Z]");
+    app.add_list("--perturb", options.perturbations,
+                 "amplitudes a, a list: particles of a grid move by U(-1,1) a delta (default 0)");
+    app.add_option("--seed", options.seed, "first seed of perturbations and graded layouts (default 1)")
+        .type_name("S")
+        .within(1, 4000000000);
+    app.add_option("--seeds", options.seeds, "number of seeds: S, S+1, ... (default 1)")
+        .type_name("K")
+        .within(1, 100000);
+    app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
+    app.add_option("--sample", options.sample,
+                   "at most so many random particles of each place of a grid (default 0: all)")
+        .type_name("K")
+        .within(0, 1000000000);
+    std::vector<std::string> kernels;
+    particles::for_each_kernel([&](const auto& kernel) { kernels.push_back(particles::name(kernel)); });
+    const auto cut =
+        app.add_option("--cut", options.cut,
+                       "the kernel is a Gaussian lowered to zero at this many h (default 3.5; in space 3)")
+            .type_name("RHO");
+    app.add_option("--kernel", options.kernel, "another kernel: one of " + command_line::joined(kernels))
+        .type_name("NAME")
+        .excludes(cut);
+    app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1.2)")
+        .type_name("RATIO");
+    app.add_option(
+           "--smoothing-from", options.smoothing_from,
+           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local, nearest, K-nearest (such as 8-nearest); a length; or a file with a number for each particle, FILE or FILE:COLUMN")
+        .type_name("NAME");
+    app.add_option(
+           "--function", options.function,
+           "the function B (default exp(x+y/2)+sin(x+2*y); in space exp(x+y/2-0.3*z)+sin(x+2*y+1.5*z)); made of " +
+               expressions::vocabulary("x, y, z"))
+        .type_name("TEXT");
+    app.add_flag("--states", options.states, "the errors at each particle instead of the largest");
+    command_line::add_plot_option(app, options.figure);
+    app.add_threads(options.threads);
+    app.add_output(options.output);
+    return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
+        if (options.particles.empty())
+            options.particles =
+                options.dimension == 2 ? std::vector<long>{16, 31, 61} : std::vector<long>{9, 13, 17};
+        options.spacing = command_line::spacing_from(options.smoothing_from);
+        check(options);
+        if (options.states) options.figure.script = "fpm_in_space/states.gp";
+        if (options.dimension == 2) return options.states ? states_of<2>(options) : table_of<2>(options);
+        return options.states ? states_of<3>(options) : table_of<3>(options);
+    });
+}
