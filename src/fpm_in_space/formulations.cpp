@@ -21,6 +21,17 @@ const std::vector<Formulation<Scalar, dim>>& formulations() {
          terms<dim, 3>,
          {3, 3},
          [](const Near& near) { return batra2008::ssph_basis::derivatives<3>(near); }},
+        {"literal_modified_fpm", "F7", terms<dim, 2>, {2, 2}, literal_extension::modified<Scalar, dim>},
+        {"literal_fpm_by_derivatives",
+         "F8",
+         terms<dim, 2>,
+         {2, 2},
+         literal_extension::modified_by_derivatives<Scalar, dim>},
+        {"literal_second_order_fpm",
+         "F9",
+         terms<dim, 3>,
+         {2, 3},
+         literal_extension::second_order<Scalar, dim>},
     };
     return all;
 }

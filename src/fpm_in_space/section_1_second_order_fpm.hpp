@@ -13,6 +13,7 @@ namespace fpm_in_space {
 
 using particles::Column;
 using particles::Derivatives;
+using particles::Exponents;
 using particles::Index;
 using particles::Neighbourhood;
 using particles::second_derivatives;
@@ -114,15 +115,23 @@ solvers::Cholesky<Scalar> factors(const Table<Scalar>& A, const Column<Scalar>& 
 
 }  // namespace detail
 
+/// \f$G^{-1} \langle o, q_m\rangle\f$, the coefficients of the odd monomials that explain most of each \f$q_m\f$.
+/// \return a row for each odd monomial, a column for each \f$q_m\f$
+/// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
+template <class Scalar>
+Table<Scalar> coefficients(const Table<Scalar>& q, const Table<Scalar>& o, const Column<Scalar>& WV) {
+    const Table<Scalar> G = product(o, o, WV);
+    const auto factors = detail::factors<Scalar>(G, G.diagonal().array());
+    return particles::solved(factors, product(o, q, WV));
+}
+
 /// The corrections: the monomials of degree 2 less what the odd ones explain of them,
 /// \f[ C_m = q_m - o^T G^{-1} \langle o, q_m\rangle, \qquad G = \langle o, o^T\rangle, \qquad q = p_2 \f]
 /// so that \f$\langle C_m, o\rangle = 0\f$. G is a Gram matrix; one factorisation serves all m.
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
 template <class Scalar>
 Table<Scalar> corrections(const Table<Scalar>& q, const Table<Scalar>& o, const Column<Scalar>& WV) {
-    const Table<Scalar> G = product(o, o, WV);
-    const auto factors = detail::factors<Scalar>(G, G.diagonal().array());
-    return q - particles::solved(factors, product(o, q, WV)).transpose() * o;
+    return q - coefficients(q, o, WV).transpose() * o;
 }
 
 /// The kernels \f$K_m = C_m\,W\f$ times the volumes, as \eq{A39}.

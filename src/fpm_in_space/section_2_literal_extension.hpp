@@ -1,9 +1,181 @@
 #pragma once
 
+#include <cstddef>
+
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 
 namespace fpm_in_space {
 
 /// Section 2, why it looked complicated: the formulations of the first paper, extended word by word.
-namespace literal_extension {}  // namespace literal_extension
+///
+/// The modified FPM of the paper projects Taylor's expansion of degree 2 on W and DW, \eq{A36}: two kernels for
+/// two unknowns. In d dimensions there are d + d(d + 1)/2 unknowns, and W and DW are d + 1 kernels. Something
+/// must be added, and the paper does not say what.
+///
+/// Two answers keep to its words. One multiplies W by as many functions q as there are second derivatives: the
+/// constant of the paper, and the harmonic polynomials of degree 2, which the constant lacks, (F7). The other
+/// takes the first and the second derivatives of W, (F8). The second-order FPM corrects the kernels of the
+/// first answer as the paper corrects its one, (F9).
+///
+/// None of the three is of use. On a grid (F9) is of second order, with errors at the edges thousands of
+/// times those of Section 1; on particles that lie irregularly, neither it nor (F7) converges there: their
+/// matrices are nearly singular. (F8) is of first order everywhere, but a membrane has eigenvalues of the
+/// wrong sign. All these matrices are neither Gram matrices nor Schur complements of one, so that nothing
+/// keeps them away from singular ones.
+///
+/// | symbol | code | meaning |
+/// | --- | --- | --- |
+/// | \f$r^a/a!\f$ | `taylor` | terms of the expansion of degree 1 and 2 |
+/// | \f$q\f$ | `constant_and_harmonic` | what multiplies W |
+/// | \f$\varphi_m\f$ | `kernels` | the kernels on which the expansion is projected, times volumes |
+///
+/// Tables have a row for each function and a column for each neighbour, as in Section 1.
+namespace literal_extension {
+
+using second_order_fpm::linear;
+using second_order_fpm::monomials_of;
+using second_order_fpm::odd;
+using second_order_fpm::quadratic;
+
+/// How many derivatives of order 1 and 2 there are: 2 on a line, 5 in the plane, 9 in space.
+template <int dim>
+inline constexpr int unknowns = terms<dim, 2> - 1;
+
+/// The local system's matrix; of any size, so that its inverse is compiled once for all dimensions.
+template <class Scalar>
+using System = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// The terms of Taylor's expansion up to degree 2, \f$r^a/a!\f$, without the constant.
+/// \return a row for each derivative
+template <class Scalar, int dim>
+Table<Scalar> taylor(const Neighbourhood<Scalar, dim>& near) {
+    Table<Scalar> all = monomials_of(near).topRows(unknowns<dim>);
+    static constexpr auto a = particles::monomials<dim, 2>();
+    for (Index n = 0; n < all.rows(); ++n)
+        all.row(n) /= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));
+    return all;
+}
+
+/// As many functions of degree 2 as there are second derivatives: the constant in the place of the sum of
+/// squares, the differences of squares, and the products. In the plane they are 1, x² − y² and xy.
+/// \return a row for each function
+template <int dim, class Scalar>
+Table<Scalar> constant_and_harmonic(const Table<Scalar>& p2) {
+    Table<Scalar> q = p2;
+    q.row(0).setOnes();
+    for (Index axis = 1; axis < dim; ++axis) q.row(axis) = p2.row(axis - 1) - p2.row(axis);
+    return q;
+}
+
+/// The matrix of the expansion projected on kernels \f$\varphi_m\f$, one for each unknown, as \eq{A35},
+/// \f[ A_{mn} = \sum_j \varphi_m(x_j)\,\frac{r_j^{a_n}}{a_n!}\,V_j \f]
+/// \param kernels kernels times volumes
+template <class Scalar, int dim>
+System<Scalar> matrix(const Table<Scalar>& kernels, const Neighbourhood<Scalar, dim>& near) {
+    return kernels.lazyProduct(taylor(near).transpose());
+}
+
+/// All derivatives at once from the projected expansion, as \eq{A36},
+/// \f[ \sum_n A_{mn}\,\partial^{a_n} B(x_i) = \sum_j [B(x_j) - B(x_i)]\,\varphi_m(x_j)\,V_j \f]
+/// \param kernels kernels times volumes
+/// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
+/// \throws particles::SingularNeighbourhood where the neighbours do not determine the derivatives
+template <class Scalar, int dim>
+Derivatives<Scalar, dim> projected(const Table<Scalar>& kernels, const Neighbourhood<Scalar, dim>& near) {
+    const Table<Scalar> weights = particles::inverse(matrix(kernels, near)).lazyProduct(kernels);
+    return {weights.topRows(dim).transpose().array(),
+            weights.bottomRows(second_derivatives<dim>).transpose().array()};
+}
+
+/// The kernels of the modified FPM, with the gradient of W as the paper has it.
+/// \f[ \varphi = \{q\,W,\ DW\}, \qquad q = \{1,\ r_1^2 - r_2^2,\ \ldots,\ r_1 r_2,\ \ldots\} \tag{F7} \f]
+/// On a line they are the paper's W and DW, \eq{A36}.
+/// \return kernels times volumes
+template <class Scalar, int dim>
+Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>& near) {
+    const auto& [r, W, DW, V] = near;
+    Table<Scalar> all(unknowns<dim>, W.size());
+    all << constant_and_harmonic<dim>(quadratic<dim>(monomials_of(near))) * W.matrix().asDiagonal(),
+        DW.matrix().transpose();
+    return all * V.matrix().asDiagonal();
+}
+
+/// The kernels of the other reading: all derivatives of the Gaussian W of order 1 and 2.
+/// \f[ \varphi = \{DW,\ D^2W\}, \qquad \partial_{kl} W = (4\,r_k r_l - 2\,\delta_{kl})\,W \tag{F8} \f]
+/// With another kernel W they are not its derivatives, but still kernels.
+/// \return kernels times volumes
+template <class Scalar, int dim>
+Table<Scalar> kernel_derivatives(const Neighbourhood<Scalar, dim>& near) {
+    const auto& [r, W, DW, V] = near;
+    Table<Scalar> hessian = Scalar(4) * quadratic<dim>(monomials_of(near));
+    hessian.topRows(dim).array() -= Scalar(2);
+    Table<Scalar> all(unknowns<dim>, W.size());
+    all << DW.matrix().transpose(), hessian * W.matrix().asDiagonal();
+    return all * V.matrix().asDiagonal();
+}
+
+/// The derivatives of the odd monomials by a coordinate, \f$\partial_k r^a = a_k\,r^{a - e_k}\f$.
+/// \return a row for each neighbour, a column for each odd monomial
+template <class Scalar, int dim>
+Table<Scalar> odd_derivative(const Neighbourhood<Scalar, dim>& near, int axis) {
+    static constexpr auto monomials = particles::monomials<dim, 3>();
+    const auto k = static_cast<std::size_t>(axis);
+    Table<Scalar> all(near.W.size(), terms<dim, 3> - 1 - second_derivatives<dim>);
+    Index column = 0;
+    for (Exponents<dim> a : monomials) {
+        if (particles::order<dim>(a) % 2 == 0) continue;
+        all.col(column).setConstant(Scalar(a[k]));
+        if (a[k] > 0) --a[k];
+        for (std::size_t l = 0; l < dim; ++l)
+            for (int power = 0; power < a[l]; ++power)
+                all.col(column).array() *= near.r.col(static_cast<Index>(l));
+        ++column;
+    }
+    return all;
+}
+
+/// The kernels of the second-order FPM: those of (F7), corrected as \eq{A39} to \eq{A42}.
+/// \f[ \varphi = \{K,\ DK_1\}, \qquad K_m = C_m\,W, \qquad \langle C_m, o\rangle = 0, \qquad
+///     DK_1 = DC_1\,W + C_1\,DW \tag{F9} \f]
+/// \f$C_1\f$, which begins with the constant, is the paper's correction but for a factor, and \f$DK_1\f$ the
+/// gradient of its kernel. On a line this is the paper's \eq{A43}.
+/// \return kernels times volumes
+/// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
+template <class Scalar, int dim>
+Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>& near) {
+    const auto& [r, W, DW, V] = near;
+    const Column<Scalar> WV = W * V;
+    const Table<Scalar> p = monomials_of(near), o = odd<dim>(p),
+                        q = constant_and_harmonic<dim>(quadratic<dim>(p));
+    const Table<Scalar> c = second_order_fpm::coefficients(q, o, WV), C = q - c.transpose() * o;
+    const Column<Scalar> C_1 = C.row(0).transpose(), c_1 = c.col(0);
+    Table<Scalar> all(unknowns<dim>, W.size());
+    all.topRows(C.rows()) = second_order_fpm::kernels(C, WV);
+    for (int axis = 0; axis < dim; ++axis) {
+        const Column<Scalar> DC_1 = -odd_derivative(near, axis).lazyProduct(c_1.matrix()).array();
+        all.row(C.rows() + axis) = ((DC_1 * W + C_1 * DW.col(axis)) * V).matrix().transpose();
+    }
+    return all;
+}
+
+/// The modified FPM, (F7). Errors as for projected().
+template <class Scalar, int dim>
+Derivatives<Scalar, dim> modified(const Neighbourhood<Scalar, dim>& near) {
+    return projected(harmonic_kernels(near), near);
+}
+
+/// The modified FPM with the kernel's derivatives, (F8). Errors as for projected().
+template <class Scalar, int dim>
+Derivatives<Scalar, dim> modified_by_derivatives(const Neighbourhood<Scalar, dim>& near) {
+    return projected(kernel_derivatives(near), near);
+}
+
+/// The second-order FPM, (F9). Errors as for projected(), and where the neighbours do not determine the odd
+/// monomials.
+template <class Scalar, int dim>
+Derivatives<Scalar, dim> second_order(const Neighbourhood<Scalar, dim>& near) {
+    return projected(corrected_kernels(near), near);
+}
+
+}  // namespace literal_extension
 }  // namespace fpm_in_space
