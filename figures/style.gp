@@ -21,7 +21,7 @@ set key below center vertical Left reverse maxrows 4 width -4 height 1 samplen 3
 # Below a title: what the print does not show.
 beyond(text) = "\n{/=12 Not in the print: " . text . ".}"
 
-names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent ssph"
+names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent ssph definite_fpm cubic_ssph literal_modified_fpm literal_second_order_fpm"
 title_original          = "original SPH"
 title_chen_beraun       = "Chen–Beraun"
 title_rkpm_first_order  = "RKPM, first order"
@@ -32,6 +32,10 @@ title_second_order_fpm  = "second-order FPM"
 title_fem_lumped        = "linear FEM, lumped mass"
 title_fem_consistent    = "linear FEM, consistent mass"
 title_ssph              = "SSPH, second degree"
+title_definite_fpm      = "second-order FPM in space"
+title_cubic_ssph        = "SSPH, third degree"
+title_literal_modified_fpm     = "modified FPM, word by word"
+title_literal_second_order_fpm = "second-order FPM, word by word"
 # A name without a title stands for itself.
 plain(name) = strstrt(name, "_") == 0 ? name : name[1:strstrt(name, "_") - 1] . "\\_" . plain(name[strstrt(name, "_") + 1:*])
 title(name) = exists("title_" . name) ? value("title_" . name) : plain(name)
@@ -49,6 +53,10 @@ set style line 7 linecolor rgb "#005a3c" dashtype 1       pointtype 7  pointsize
 set style line 8 linecolor rgb "#555555" dashtype 1       pointtype 2  pointsize 0.7 linewidth 1.3
 set style line 9 linecolor rgb "#888888" dashtype (6,3)   pointtype 3  pointsize 0.7 linewidth 1.2
 set style line 10 linecolor rgb "#c0392b" dashtype (10,3,2,3,2,3) pointtype 14 pointsize 0.8 linewidth 1.5
+set style line 11 linecolor rgb "#00695c" dashtype 1       pointtype 7  pointsize 0.7 linewidth 2.0
+set style line 12 linecolor rgb "#7b4fa3" dashtype (4,3)   pointtype 5  pointsize 0.7 linewidth 1.5
+set style line 13 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize 0.9 linewidth 1.5
+set style line 14 linecolor rgb "#b35900" dashtype (8,3,2,3) pointtype 8 pointsize 0.9 linewidth 1.5
 
 # Rows of one formulation; others are passed over. Curves that overlap carry their symbols at different rows, so that each
 # shows: marked(name, row, every) picks them.

@@ -39,6 +39,15 @@ batra2008/layouts          = $(bin)/hole --radius 0.25,0.3,0.35,0.4,0.5 --draws 
 batra2008/claims           = $(bin)/claims --paper batra2008
 batra2008/choices          = $(bin)/choices --paper batra2008
 
+fpm_in_space/plane     = $(bin)/derivative_test_in_space --formulation definite_fpm,ssph,cubic_ssph \
+                         --particles 16,22,31,43,61,86,121 --perturb 0,0.25 --seeds 25 --median --sample 150
+fpm_in_space/space     = $(bin)/derivative_test_in_space --dimension 3 --formulation definite_fpm,ssph,cubic_ssph \
+                         --particles 9,12,17,24,34,48 --perturb 0,0.25 --seeds 25 --median --sample 100
+around_the_hole := graded-188-11,polar-11x17
+fpm_in_space/rows      = $(bin)/derivative_test_in_space --layout $(around_the_hole) --smoothing 1 --smoothing-from local \
+                         --function 'log(x^2+y^2)/2' --states
+fpm_in_space/layouts   = $(bin)/hole --method strong --draws 25 --quality
+
 # The names of the variables above are the list of tables; the one that takes longest is begun first.
 tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
 ledger := $(filter %/claims.csv %/choices.csv,$(tables))

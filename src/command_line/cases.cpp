@@ -238,24 +238,6 @@ asprone2010::numerical_tests::Discretisation discretisation_of(const Options& op
             options.smoothing, one.perturbation, options.spacing};
 }
 
-namespace {
-
-/// The failure of cases that differ in their seeds only, if one fails.
-std::optional<Failure> failure_among(const std::vector<Attempt>& attempts, const std::vector<Case>& all,
-                                     std::size_t first, std::size_t last) {
-    const auto failed = [](const Attempt& attempt) { return attempt.failure.has_value(); };
-    const auto begin = attempts.begin() + static_cast<Index>(first),
-               end = attempts.begin() + static_cast<Index>(last);
-    const auto found = std::find_if(begin, end, failed);
-    if (found == end || last - first == 1) return found == end ? std::nullopt : found->failure;
-    const Case& one = all[static_cast<std::size_t>(found - attempts.begin())];
-    return Failure{std::to_string(std::count_if(begin, end, failed)) + " of " + std::to_string(last - first) +
-                       " seeds fail, first seed " + std::to_string(one.seed) + ": " + found->failure->reason,
-                   found->failure->invalid};
-}
-
-}  // namespace
-
 void tabulate(report::Table& table, const Options& options,
               const std::function<std::vector<Cell>(const Case&)>& compute) {
     const std::vector<Case> all = cases(options);
@@ -281,7 +263,7 @@ void tabulate(report::Table& table, const Options& options,
                               1.0 / static_cast<double>(one.particles - 1), perturbation, seed};
         const std::size_t first = k;
         k += seeds;
-        if (const auto failure = failure_among(attempts, all, first, k)) {
+        if (const auto failure = failure_of_seeds(attempts, first, k, one.seed)) {
             sweep.add_failed(std::move(row), *failure);
             continue;
         }

@@ -9,6 +9,21 @@ namespace command_line {
 
 using report::Cell;
 
+std::optional<Failure> failure_of_seeds(const std::vector<Attempt>& attempts, std::size_t first,
+                                        std::size_t last, unsigned long seed) {
+    std::optional<Failure> failure;
+    std::size_t count = 0, which = 0;
+    for (std::size_t k = first; k < last; ++k)
+        if (attempts[k].failure && count++ == 0) {
+            failure = attempts[k].failure;
+            which = k - first;
+        }
+    if (failure && last - first > 1)
+        failure->reason = std::to_string(count) + " of " + std::to_string(last - first) +
+                          " seeds fail, first seed " + std::to_string(seed + which) + ": " + failure->reason;
+    return failure;
+}
+
 void Sweep::add(const std::vector<std::vector<Cell>>& rows) {
     for (const std::vector<Cell>& row : rows)
         for (std::size_t column = 0; column < row.size(); ++column)

@@ -46,6 +46,11 @@ std::vector<Attempt> attempts_in_parallel(const std::vector<Case>& cases, const 
     });
 }
 
+/// The failure of attempts [first, last) that differ in their seeds only, if one fails.
+/// \param seed of the first of them
+std::optional<Failure> failure_of_seeds(const std::vector<Attempt>& attempts, std::size_t first,
+                                        std::size_t last, unsigned long seed);
+
 /// The rows of a table, case by case. A case that fails has one row with empty numbers; its reason stands in
 /// a last column, failure, which a table without failures does not have.
 class Sweep {

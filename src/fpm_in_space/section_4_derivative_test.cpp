@@ -8,7 +8,8 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "base/text.hpp"
-#include "particles/quality.hpp"
+#include "particles/requirement.hpp"
+#include "particles/spacing.hpp"
 
 namespace fpm_in_space::derivative_test {
 
@@ -21,10 +22,11 @@ template <int dim>
 double exponential_and_wave(const Point<dim>& x, const Exponents<dim>& a) {
     const Point<dim> c = Point<3>(1, 0.5, -0.3).head<dim>(), k = Point<3>(1, 2, 1.5).head<dim>();
     double wave = std::sin(k.dot(x) + particles::order<dim>(a) * std::acos(0.0)), growth = std::exp(c.dot(x));
-    for (int axis = 0; axis < dim; ++axis) {
-        growth *= std::pow(c[axis], a[static_cast<std::size_t>(axis)]);
-        wave *= std::pow(k[axis], a[static_cast<std::size_t>(axis)]);
-    }
+    for (int axis = 0; axis < dim; ++axis)
+        for (int times = 0; times < a[static_cast<std::size_t>(axis)]; ++times) {
+            growth *= c[axis];
+            wave *= k[axis];
+        }
     return growth + wave;
 }
 
@@ -103,27 +105,53 @@ void compare(const particles::Operator<double>& D, const Cloud<dim>& cloud, cons
     });
 }
 
+constexpr Index block = 512;  // rows whose operators are in memory at once
+
+/// \throws InvalidInput for a value that is not finite
+template <int dim>
+Column<double> values_of(const Function<dim>& B, const Cloud<dim>& cloud) {
+    Column<double> values(cloud.size());
+    base::for_each_index(cloud.size(), [&](Index j) { values[j] = B(cloud.x().col(j), {}); });
+    for (Index j = 0; j < cloud.size(); ++j)
+        if (!std::isfinite(values[j]))
+            throw InvalidInput("the function is not finite at particle " + std::to_string(j) + " (" +
+                               particles::position_in_words(cloud, j) + "); take another function");
+    return values;
+}
+
+template <int dim>
+std::vector<AtParticle> errors_of_block(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
+                                        const Smoothing<double, dim>& smoothing,
+                                        const Column<double>& spacing, const Function<dim>& B,
+                                        const Column<double>& values, const Range& rows) {
+    const Operators<double, dim> operators =
+        particles::assemble(cloud, smoothing, formulation.required(), formulation.weights, rows);
+    std::vector<AtParticle> found;
+    for (Index i = rows.first; i < rows.last; ++i) found.push_back({i, 0, 0, 0});
+    for (const auto& a : particles::monomials<dim, 2>())
+        if (const int order = particles::order<dim>(a); order > 0)
+            compare<dim>(derivative(operators, a), cloud, a, values, B, spacing,
+                         order == 1 ? formulation.exact.first : formulation.exact.second, rows.first, found);
+    return found;
+}
+
 }  // namespace
 
 template <int dim>
-std::vector<AtParticle> errors(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
-                               const Smoothing<double, dim>& smoothing, const Column<double>& spacing,
-                               const std::type_identity_t<Function<dim>>& B, const Range& rows) {
-    constexpr Index block = 512;  // rows whose operators are in memory at once
-    Column<double> values(cloud.size());
-    for (Index j = 0; j < cloud.size(); ++j) values[j] = B(cloud.x().col(j), {});
-    std::vector<AtParticle> all;
-    for (Index first = rows.first; first < rows.last; first += block) {
-        const Range some{first, std::min(first + block, rows.last)};
-        const Operators<double, dim> operators =
-            particles::assemble(cloud, smoothing, formulation.required(), formulation.weights, some);
-        std::vector<AtParticle> found;
-        for (Index i = some.first; i < some.last; ++i) found.push_back({i, 0, 0, 0});
-        for (const auto& a : particles::monomials<dim, 2>())
-            if (const int order = particles::order<dim>(a); order > 0)
-                compare<dim>(derivative(operators, a), cloud, a, values, B, spacing,
-                             order == 1 ? formulation.exact.first : formulation.exact.second, first, found);
-        all.insert(all.end(), found.begin(), found.end());
+std::vector<std::vector<AtParticle>> errors(const Formulation<double, dim>& formulation,
+                                            const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                            const Column<double>& spacing,
+                                            const std::type_identity_t<Function<dim>>& B,
+                                            const std::vector<Range>& places) {
+    const Column<double> values = values_of<dim>(B, cloud);
+    std::vector<std::vector<AtParticle>> all;
+    for (const Range& place : places) {
+        std::vector<AtParticle>& there = all.emplace_back();
+        for (Index first = place.first; first < place.last; first += block) {
+            const Range some{first, std::min(first + block, place.last)};
+            const auto found = errors_of_block<dim>(formulation, cloud, smoothing, spacing, B, values, some);
+            there.insert(there.end(), found.begin(), found.end());
+        }
     }
     return all;
 }
@@ -145,11 +173,11 @@ template Body<2> body(Index, double, unsigned long);
 template Body<3> body(Index, double, unsigned long);
 template std::string place_name<2>(int);
 template std::string place_name<3>(int);
-template std::vector<AtParticle> errors(const Formulation<double, 2>&, const Cloud<2>&,
-                                        const Smoothing<double, 2>&, const Column<double>&,
-                                        const Function<2>&, const Range&);
-template std::vector<AtParticle> errors(const Formulation<double, 3>&, const Cloud<3>&,
-                                        const Smoothing<double, 3>&, const Column<double>&,
-                                        const Function<3>&, const Range&);
+template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 2>&, const Cloud<2>&,
+                                                     const Smoothing<double, 2>&, const Column<double>&,
+                                                     const Function<2>&, const std::vector<Range>&);
+template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 3>&, const Cloud<3>&,
+                                                     const Smoothing<double, 3>&, const Column<double>&,
+                                                     const Function<3>&, const std::vector<Range>&);
 
 }  // namespace fpm_in_space::derivative_test

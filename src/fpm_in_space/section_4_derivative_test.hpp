@@ -95,12 +95,16 @@ struct AtParticle {
 /// \f[ \max_{|a| = k} \big| \sum_j w^a_j\,[B(x_j) - B(x_i)] - \partial^a B(x_i) \big|, \qquad k = 1, 2
 ///     \tag{F16} \f]
 /// \param spacing δ of R: one for all particles, or one for each [length]
+/// \param places ranges of particles
+/// \return what is found at the particles of each range
+/// \throws base::InvalidInput where B is not finite
 /// \throws base::FailedComputation as particles::assemble()
 template <int dim>
-std::vector<AtParticle> errors(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
-                               const Smoothing<double, dim>& smoothing,
-                               const particles::Column<double>& spacing,
-                               const std::type_identity_t<Function<dim>>& B, const Range& rows);
+std::vector<std::vector<AtParticle>> errors(const Formulation<double, dim>& formulation,
+                                            const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                                            const particles::Column<double>& spacing,
+                                            const std::type_identity_t<Function<dim>>& B,
+                                            const std::vector<Range>& places);
 
 /// The largest of each, and the particle with the largest error of second derivatives.
 AtParticle largest(const std::vector<AtParticle>& all);
@@ -112,12 +116,14 @@ extern template Body<2> body(Index, double, unsigned long);
 extern template Body<3> body(Index, double, unsigned long);
 extern template std::string place_name<2>(int);
 extern template std::string place_name<3>(int);
-extern template std::vector<AtParticle> errors(const Formulation<double, 2>&, const Cloud<2>&,
-                                               const Smoothing<double, 2>&, const particles::Column<double>&,
-                                               const Function<2>&, const Range&);
-extern template std::vector<AtParticle> errors(const Formulation<double, 3>&, const Cloud<3>&,
-                                               const Smoothing<double, 3>&, const particles::Column<double>&,
-                                               const Function<3>&, const Range&);
+extern template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 2>&, const Cloud<2>&,
+                                                            const Smoothing<double, 2>&,
+                                                            const particles::Column<double>&,
+                                                            const Function<2>&, const std::vector<Range>&);
+extern template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 3>&, const Cloud<3>&,
+                                                            const Smoothing<double, 3>&,
+                                                            const particles::Column<double>&,
+                                                            const Function<3>&, const std::vector<Range>&);
 
 }  // namespace derivative_test
 }  // namespace fpm_in_space

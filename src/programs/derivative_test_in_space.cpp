@@ -24,6 +24,7 @@ namespace {
 using namespace fpm_in_space;
 using base::InvalidInput;
 using base::shown;
+using command_line::Attempt;
 using derivative_test::AtParticle;
 using particles::Cloud;
 using particles::Column;
@@ -95,6 +96,17 @@ std::vector<Group> groups(const Options& options) {
                         for (unsigned long k = 0; k < seeds; ++k)
                             all.push_back({{formulation, layout, perturbation, n, options.seed + k}, 1});
                 }
+    return all;
+}
+
+/// The cases of all groups.
+std::vector<Case> cases(const std::vector<Group>& groups) {
+    std::vector<Case> all;
+    for (const auto& [first, seeds] : groups)
+        for (unsigned long k = 0; k < seeds; ++k) {
+            all.push_back(first);
+            all.back().seed += k;
+        }
     return all;
 }
 
@@ -177,11 +189,10 @@ std::vector<std::vector<AtParticle>> found(const Options& options, const Case& o
                                            const derivative_test::Function<dim>& B) {
     const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
     const particles::Smoothing<double, dim> smoothing(kernel_of<dim>(options), spacing, options.smoothing);
-    std::vector<std::vector<AtParticle>> all;
-    for (const auto& [name, rows] : particles.places)
-        all.push_back(derivative_test::errors(formulation_named<double, dim>(one.formulation),
-                                              particles.cloud, smoothing, spacing, B, rows));
-    return all;
+    std::vector<Range> ranges;
+    for (const auto& [name, range] : particles.places) ranges.push_back(range);
+    return derivative_test::errors(formulation_named<double, dim>(one.formulation), particles.cloud,
+                                   smoothing, spacing, B, ranges);
 }
 
 /// Cells that name a case.
@@ -222,34 +233,41 @@ std::vector<std::string> comments(const Options& options, const std::string& wha
             "quality: R, the factor in the bound of the error of second derivatives in powers of delta"};
 }
 
+/// Names of the places of a layout.
+template <int dim>
+std::vector<std::string> places_of(const std::string& layout) {
+    if (!is_grid(layout)) return {"all"};
+    std::vector<std::string> names;
+    for (int sides = 0; sides <= dim; ++sides) names.push_back(derivative_test::place_name<dim>(sides));
+    return names;
+}
+
+/// How many particles there are at each place, and the largest of what is found there: the columns `measured`.
+template <int dim>
+std::vector<Cell> numbers(const Options& options, const Case& one, const derivative_test::Function<dim>& B) {
+    std::vector<Cell> cells;
+    for (const std::vector<AtParticle>& there : found<dim>(options, one, placed<dim>(options, one), B)) {
+        const AtParticle most = derivative_test::largest(there);
+        cells.insert(cells.end(), {static_cast<long>(there.size()), most.first, most.second, most.R});
+    }
+    return cells;
+}
+
 /// The rows of a group, one for each place: the largest errors, with --median their medians and quartiles.
+/// \param attempts those at its cases, from the first on
 template <int dim>
 std::vector<std::vector<Cell>> rows(const Options& options, const Group& group,
-                                    const derivative_test::Function<dim>& B) {
-    std::vector<std::string> places;
-    std::vector<long> counts;
-    std::vector<std::array<std::vector<double>, 3>> samples;
-    for (unsigned long k = 0; k < group.seeds; ++k) {
-        Case one = group.first;
-        one.seed += k;
-        const auto particles = placed<dim>(options, one);
-        const auto all = found<dim>(options, one, particles, B);
-        samples.resize(all.size());
-        for (std::size_t place = 0; place < all.size(); ++place) {
-            const AtParticle most = derivative_test::largest(all[place]);
-            samples[place][0].push_back(most.first);
-            samples[place][1].push_back(most.second);
-            samples[place][2].push_back(most.R);
-            if (k > 0) continue;
-            places.push_back(particles.places[place].first);
-            counts.push_back(static_cast<long>(all[place].size()));
-        }
-    }
+                                    const std::vector<Attempt>& attempts, std::size_t first) {
     std::vector<std::vector<Cell>> table;
+    const std::vector<std::string> places = places_of<dim>(group.first.layout);
     for (std::size_t place = 0; place < places.size(); ++place) {
+        const std::size_t at = place * (1 + measured.size());
         std::vector<Cell> row = named(group.first), spread{static_cast<long>(group.seeds)};
-        row.insert(row.end(), {places[place], counts[place]});
-        for (const std::vector<double>& sample : samples[place]) {
+        row.insert(row.end(), {places[place], attempts[first].numbers[at]});
+        for (std::size_t column = 1; column <= measured.size(); ++column) {
+            std::vector<double> sample;
+            for (std::size_t k = first; k < first + group.seeds; ++k)
+                sample.push_back(std::get<double>(attempts[k].numbers[at + column]));
             const auto [lower, median, upper] = report::quartiles(sample);
             row.emplace_back(median);
             spread.insert(spread.end(), {lower, upper});
@@ -273,13 +291,19 @@ report::Table table_of(const Options& options) {
             for (const char* quartile : {"_lower", "_upper"})
                 table.columns.push_back({column.name + quartile, column.tolerance});
     }
-    const auto all = groups(options);
+    const std::vector<Group> all = groups(options);
     const auto B = function_of<dim>(options);
+    const std::vector<Attempt> attempts = command_line::attempts_in_parallel(
+        cases(all), [&](const Case& one) { return numbers<dim>(options, one, B); });
     command_line::Sweep sweep(table, naming.size());
-    command_line::Progress progress(all.size());
+    std::size_t first = 0;
     for (const Group& group : all) {
-        sweep.attempt(named(group.first), [&] { return rows<dim>(options, group, B); });
-        progress.step();
+        const std::size_t last = first + group.seeds;
+        if (const auto failure = command_line::failure_of_seeds(attempts, first, last, group.first.seed))
+            sweep.add_failed(named(group.first), *failure);
+        else
+            sweep.add(rows<dim>(options, group, attempts, first));
+        first = last;
     }
     sweep.finish();
     const bool grids = std::all_of(options.layouts.begin(), options.layouts.end(), is_grid);
@@ -308,11 +332,13 @@ report::Table states_of(const Options& options) {
         const std::vector<Cell> name = named(group.first);
         sweep.attempt(name, [&] {
             const auto particles = placed<dim>(options, group.first);
+            const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
             const auto at = found<dim>(options, group.first, particles, B);
             std::vector<std::vector<Cell>> states;
             for (std::size_t place = 0; place < at.size(); ++place)
                 for (const auto& [i, first, second, R] : at[place]) {
                     std::vector<Cell> row = name;
+                    row[3] = spacing[spacing.size() == 1 ? 0 : i];
                     row.insert(row.end(), {particles.places[place].first, static_cast<long>(i)});
                     for (const double x : particles.cloud.x().col(i)) row.emplace_back(x);
                     row.insert(row.end(), {first, second, R});

@@ -1,0 +1,27 @@
+# The error of the second derivatives at each particle, as a colour: derivative_test_in_space --states --plot. In space, what
+# lies in front covers what lies behind.
+if (!exists("table")) { exit error "this figure is of a table of your own: derivative_test_in_space --states --plot FILE.svg" }
+curve_column = "formulation"; x_column = "particle"; y_column = "error_second"
+load "figures/style.gp"
+in_space = strstrt("," . columns . ",", ",z,") > 0
+eval(picture(720, 640))
+set title "Second derivatives by " . title(word(curves, 1)) . " at each particle, B = " . comment(" for B = ") . "\nkernel " . comment("# kernel ") noenhanced font ",12"
+eval(sequential)
+set logscale cb
+set cbrange [y_least == y_most ? 0.5 * y_least : y_least : y_most]
+set format cb "10^{%T}"
+set cblabel "error of second derivatives"
+unset key
+# As few particles, as large symbols.
+set pointsize strlen(values) < 9999 ? most(0.5, least(2.5, 40.0 / words(values)**0.6)) : 0.3
+set xlabel "x"; set ylabel "y"
+if (in_space) {
+    set view equal xyz
+    set view 65,30,0.8
+    set xyplane relative 0
+    set zlabel "z"
+    splot table using "x":"y":"z":(column("error_second") > 0 ? column("error_second") : y_least) with points pointtype 7 linecolor palette
+} else {
+    set size ratio -1
+    plot table using "x":"y":(column("error_second") > 0 ? column("error_second") : y_least) with points pointtype 7 linecolor palette
+}
