@@ -31,7 +31,7 @@ set xrange [2.2:3.5]; set xtics 0.4
 set yrange [1e-3:1]
 eval(sequential)
 set logscale cb; set format cb "10^{%T}"
-set cblabel "noise of the unknowns" offset 0.5
+set label 1 "noise" at screen 0.92,0.91 center font ",12"
 set colorbox user origin screen 0.9,0.33 size screen 0.02,0.55
 unset key
 plot layouts using "quality":(10**column("log_error_nd")):"noise" with points pointtype 7 pointsize 0.9 linecolor palette

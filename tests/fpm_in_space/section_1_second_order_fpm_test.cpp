@@ -59,19 +59,20 @@ Neighbourhood<Scalar, dim> random_neighbourhood(Index count, int sides, unsigned
     return near;
 }
 
-/// The second derivatives by the SSPH basis (2.8) of degree 3 whose expansion takes the value at the particle
-/// as given: without the constant monomial, on differences, weighted by W V.
-template <class Scalar, int dim>
-Table<Scalar> by_ssph(const Neighbourhood<Scalar, dim>& near) {
+/// The derivatives by the SSPH basis (2.8) of degree m whose expansion takes the value at the particle as
+/// given: without the constant monomial, on differences, weighted by W V.
+template <int m, class Scalar, int dim>
+Derivatives<Scalar, dim> by_ssph(const Neighbourhood<Scalar, dim>& near) {
     namespace ssph = batra2008::ssph_basis;
-    const Table<Scalar> H = ssph::H<dim, 3, Scalar>(near.r).bottomRows(terms<dim, 3> - 1);
+    const Table<Scalar> H = ssph::H<dim, m, Scalar>(near.r).bottomRows(terms<dim, m> - 1);
     const Table<Scalar> D = ssph::D<Scalar>(H, near.W * near.V);
     const solvers::Cholesky<Scalar> factors(ssph::C<Scalar>(D, H));
-    Table<Scalar> second = particles::solved(factors, D).middleRows(dim, second_derivatives<dim>);
+    Table<Scalar> all = particles::solved(factors, D).topRows(dim + second_derivatives<dim>);
     static constexpr auto a = particles::monomials<dim, 2>();
-    for (Index n = 0; n < second.rows(); ++n)
-        second.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + dim + n)]));
-    return second;
+    for (Index n = 0; n < all.rows(); ++n)
+        all.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));
+    return {all.topRows(dim).transpose().array(),
+            all.bottomRows(second_derivatives<dim>).transpose().array()};
 }
 
 /// Largest relative difference of the second derivatives from SSPH's, over all random neighbourhoods.
@@ -81,9 +82,9 @@ double difference_from_ssph() {
     for (int sides = 0; sides <= dim; ++sides)
         for (unsigned seed = 1; seed <= 10; ++seed) {
             const auto near = random_neighbourhood<Scalar, dim>(10 * terms<dim, 3>, sides, seed);
-            const Table<Scalar> ours = derivatives(near).second.matrix().transpose(), theirs = by_ssph(near);
-            const Scalar size = theirs.cwiseAbs().maxCoeff();
-            most = std::max(most, static_cast<double>((ours - theirs).cwiseAbs().maxCoeff() / size));
+            const auto ours = derivatives(near).second, theirs = by_ssph<3>(near).second;
+            most = std::max(most,
+                            static_cast<double>((ours - theirs).abs().maxCoeff() / theirs.abs().maxCoeff()));
         }
     return most;
 }
@@ -204,10 +205,10 @@ struct Errors {
 };
 
 /// Errors of exp(x + y/2) + sin(x + 2y) on a grid of n × n particles, h = δ.
-Errors errors_on_grid(Index n) {
+Errors errors_on_grid(Index n, const particles::CloudRule<2>& rule = derivatives<double, 2>) {
     const Cloud<2> cloud(support::grid_points<2>(n));
     const auto operators = particles::assemble(
-        cloud, Smoothing(Gaussian<2>{}, 1 / static_cast<double>(n - 1)), required<2>, derivatives<double, 2>);
+        cloud, Smoothing(Gaussian<2>{}, 1 / static_cast<double>(n - 1)), required<2>, rule);
     const auto x = cloud.x().row(0).transpose().array(), y = cloud.x().row(1).transpose().array();
     const Column<double> e = (x + y / 2).exp(), s = (x + 2 * y).sin(), c = (x + 2 * y).cos(), f = e + s;
     const auto error = [&](const Exponents<2>& a, const Column<double>& exact) {
@@ -227,4 +228,17 @@ TEST_CASE("second-order FPM in space: errors on grids are those of a calculation
     CHECK(middle.second == support::relative(1.401e-2, 1e-3));
     CHECK(fine.first == support::relative(9.098e-4, 1e-3));
     CHECK(fine.second == support::relative(3.473e-3, 1e-3));
+}
+
+TEST_CASE(
+    "second-order FPM in space: errors of SSPH with the value given are those of that calculation, too, of second order in second derivatives from degree 3 on") {
+    const Errors coarse = errors_on_grid(16, by_ssph<2, double, 2>),
+                 quadratic = errors_on_grid(31, by_ssph<2, double, 2>),
+                 finer = errors_on_grid(61, by_ssph<2, double, 2>),
+                 cubic = errors_on_grid(61, by_ssph<3, double, 2>);
+    CHECK(quadratic.first == support::relative(4.197e-3, 1e-3));
+    CHECK(quadratic.second == support::relative(3.340e-1, 1e-3));
+    CHECK(std::log2(coarse.second / finer.second) / 2 == support::relative(0.98, 0.01));
+    CHECK(cubic.first == support::relative(1.474e-5, 1e-3));
+    CHECK(cubic.second == support::relative(3.473e-3, 1e-3));
 }

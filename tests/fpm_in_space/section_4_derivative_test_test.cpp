@@ -1,0 +1,192 @@
+#include "fpm_in_space/section_4_derivative_test.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "tests/relative.hpp"
+
+using namespace fpm_in_space;
+using namespace fpm_in_space::derivative_test;
+
+namespace {
+
+/// Calls `check` for two and three dimensions, as compile-time numbers.
+template <class Check>
+void in_plane_and_space(const Check& check) {
+    check(std::integral_constant<int, 2>{});
+    check(std::integral_constant<int, 3>{});
+}
+
+template <int dim>
+std::vector<Range> places_of(const Body<dim>& body) {
+    return {body.on_sides.begin(), body.on_sides.end()};
+}
+
+/// The errors of the second-order FPM by place; h = 1.2 δ, the Gaussian lowered to zero at 3h.
+template <int dim>
+std::vector<AtParticle> largest_errors(Index n, double perturbation, unsigned long seed, Index sample) {
+    const Body<dim> cube = body<dim>(n, perturbation, seed);
+    const double delta = 1 / static_cast<double>(n - 1);
+    const Smoothing<double, dim> smoothing(particles::TruncatedGaussian<dim>(3), 1.2 * delta);
+    std::vector<Range> places = places_of(cube);
+    for (Range& place : places) place.last = std::min(place.last, place.first + sample);
+    std::vector<AtParticle> all;
+    for (const auto& there :
+         errors(formulation_named<double, dim>("definite_fpm"), cube.cloud, smoothing,
+                particles::Column<double>::Constant(1, delta), exponential_and_wave<dim>, places))
+        all.push_back(largest(there));
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("derivative test in space: the function's derivatives are those of its differences") {
+    in_plane_and_space([](auto dimension) {
+        constexpr int dim = dimension;
+        const Point<dim> x = Point<3>(0.3, 0.6, 0.9).head<dim>();
+        const double step = 1e-4;
+        for (int one = 0; one < dim; ++one) {
+            Exponents<dim> first{};
+            first[static_cast<std::size_t>(one)] = 1;
+            const Point<dim> e = step * Point<dim>::Unit(one);
+            const auto difference = [&](const Exponents<dim>& a) {
+                return (exponential_and_wave<dim>(x + e, a) - exponential_and_wave<dim>(x - e, a)) /
+                       (2 * step);
+            };
+            CHECK(exponential_and_wave<dim>(x, first) == support::relative(difference({}), 1e-6));
+            for (int other = 0; other < dim; ++other) {
+                Exponents<dim> before{}, second{};
+                before[static_cast<std::size_t>(other)] = 1;
+                second = before;
+                ++second[static_cast<std::size_t>(one)];
+                CHECK(exponential_and_wave<dim>(x, second) == support::relative(difference(before), 1e-6));
+            }
+        }
+    });
+}
+
+TEST_CASE("derivative test in space: particles are counted by the sides that they lie on") {
+    const Body<2> square = body<2>(5, 0.25, 1);
+    const Body<3> cube = body<3>(5, 0.25, 1);
+    CHECK(square.on_sides[0].size() == 9);
+    CHECK(square.on_sides[1].size() == 12);
+    CHECK(square.on_sides[2].size() == 4);
+    CHECK(cube.on_sides[0].size() == 27);
+    CHECK(cube.on_sides[1].size() == 54);
+    CHECK(cube.on_sides[2].size() == 36);
+    CHECK(cube.on_sides[3].size() == 8);
+    CHECK(cube.on_sides[3].last == cube.cloud.size());
+    CHECK(place_name<2>(1) == "edge");
+    CHECK(place_name<3>(1) == "face");
+    CHECK(place_name<3>(2) == "edge");
+    CHECK(place_name<3>(3) == "corner");
+}
+
+TEST_CASE("derivative test in space: perturbed particles keep to their sides, and the seed decides them") {
+    in_plane_and_space([](auto dimension) {
+        constexpr int dim = dimension;
+        const Body<dim> moved = body<dim>(7, 0.25, 3), again = body<dim>(7, 0.25, 3),
+                        other = body<dim>(7, 0.25, 4);
+        CHECK(moved.cloud.x() == again.cloud.x());
+        CHECK((moved.cloud.x() - other.cloud.x()).cwiseAbs().maxCoeff() > 0.01);
+        for (int sides = 0; sides <= dim; ++sides)
+            for (Index j = moved.on_sides[static_cast<std::size_t>(sides)].first;
+                 j < moved.on_sides[static_cast<std::size_t>(sides)].last; ++j) {
+                int on_sides = 0;
+                for (const double coordinate : moved.cloud.x().col(j)) {
+                    on_sides += coordinate == 0 || coordinate == 1 ? 1 : 0;
+                    const double cells = 6 * coordinate;
+                    CHECK(std::abs(cells - std::round(cells)) <= 0.25);
+                }
+                CHECK(on_sides == sides);
+            }
+    });
+}
+
+TEST_CASE("derivative test in space: largest errors on grids are those of a calculation in NumPy (F16)") {
+    const Body<2> square = body<2>(31, 0, 1);
+    const Smoothing<double, 2> smoothing(particles::Gaussian<2>{}, 1.0 / 30);
+    const auto error = [&](const char* formulation) {
+        return largest(errors(formulation_named<double, 2>(formulation), square.cloud, smoothing,
+                              particles::Column<double>::Constant(1, 1.0 / 30), exponential_and_wave<2>,
+                              {Range{0, square.cloud.size()}})[0]);
+    };
+    CHECK(error("definite_fpm").first == support::relative(3.565e-3, 1e-3));
+    CHECK(error("definite_fpm").second == support::relative(1.401e-2, 1e-3));
+}
+
+TEST_CASE("derivative test in space: second order at edges and corners of perturbed particles") {
+    const auto orders = [](const auto& coarse, const auto& fine, double finer) {
+        std::vector<double> all;
+        for (std::size_t k = 0; k < coarse.size(); ++k)
+            all.push_back(std::log(coarse[k].second / fine[k].second) / std::log(finer));
+        return all;
+    };
+    for (const double order :
+         orders(largest_errors<2>(31, 0.25, 1, 100), largest_errors<2>(121, 0.25, 1, 100), 4))
+        CHECK(order == support::relative(2, 0.15));
+    for (const double order :
+         orders(largest_errors<3>(12, 0.25, 1, 60), largest_errors<3>(34, 0.25, 1, 60), 3))
+        CHECK(order == support::relative(2, 0.2));
+}
+
+TEST_CASE("derivative test in space: errors do not depend on which particles are asked for together") {
+    const Body<2> square = body<2>(31, 0.25, 2);
+    const double delta = 1.0 / 30;
+    const Smoothing<double, 2> smoothing(particles::TruncatedGaussian<2>(3.5), 1.2 * delta);
+    const auto& formulation = formulation_named<double, 2>("definite_fpm");
+    const auto spacing = particles::Column<double>::Constant(1, delta).eval();
+    const auto all = errors(formulation, square.cloud, smoothing, spacing, exponential_and_wave<2>,
+                            {Range{0, square.cloud.size()}})[0];
+    REQUIRE(all.size() == 961);
+    const auto by_place =
+        errors(formulation, square.cloud, smoothing, spacing, exponential_and_wave<2>, places_of(square));
+    for (const auto& there : by_place)
+        for (const auto& [i, first, second, R] : there) {
+            const AtParticle& same = all[static_cast<std::size_t>(i)];
+            CHECK(same.particle == i);
+            CHECK(same.first == first);
+            CHECK(same.second == second);
+            CHECK(same.R == R);
+        }
+}
+
+TEST_CASE("derivative test in space: the error is at most what R says, for a function of known derivatives") {
+    const Body<2> square = body<2>(21, 0.25, 5);
+    const double delta = 1.0 / 20;
+    const Smoothing<double, 2> smoothing(particles::TruncatedGaussian<2>(3.5), 1.2 * delta);
+    const Function<2> wave = [](const Point<2>& x,
+                                const Exponents<2>& a) {  // all derivatives along lines ≤ 1
+        const double s = (x[0] + x[1]) / std::sqrt(2), order = particles::order<2>(a);
+        return std::sin(s + order * std::acos(0.0)) / std::pow(2, order / 2);
+    };
+    const auto all =
+        errors(formulation_named<double, 2>("definite_fpm"), square.cloud, smoothing,
+               particles::Column<double>::Constant(1, delta), wave, {Range{0, square.cloud.size()}});
+    double nearest = 0;
+    for (const AtParticle& at : all[0]) {
+        CHECK(at.second <= at.R * delta * delta);
+        nearest = std::max(nearest, at.second / (at.R * delta * delta));
+    }
+    CHECK(nearest > 0.1);  // the bound is no mere bound
+}
+
+TEST_CASE("derivative test in space: what cannot be tested is refused") {
+    CHECK_THROWS_WITH_AS(body<2>(2, 0, 1), "a side needs at least 3 particles, got 2", base::InvalidInput);
+    CHECK_THROWS_WITH_AS(body<3>(5, 0.5, 1), "the perturbation must lie in [0, 1/2), got 0.5",
+                         base::InvalidInput);
+    CHECK_THROWS_AS(body<3>(5, std::numeric_limits<double>::quiet_NaN(), 1), base::InvalidInput);
+    const Body<2> square = body<2>(9, 0, 1);
+    const Smoothing<double, 2> smoothing(particles::Gaussian<2>{}, 0.125);
+    CHECK_THROWS_AS(errors(formulation_named<double, 2>("definite_fpm"), square.cloud, smoothing,
+                           particles::Column<double>::Constant(1, 0.125),
+                           [](const Point<2>& x, const Exponents<2>&) { return 1 / x[0]; },
+                           {Range{0, square.cloud.size()}}),
+                    base::InvalidInput);
+}
