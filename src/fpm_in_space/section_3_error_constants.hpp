@@ -159,7 +159,8 @@ Rows<Scalar, dim> determined_rows(const Formulation<Scalar, dim>& formulation, c
 /// "try --smoothing 1.6": the least h/δ in steps of a tenth of it with which the weights are determined.
 template <class Scalar, int dim>
 std::string remedy(const Formulation<Scalar, dim>& formulation, Lattice<dim> lattice) {
-    for (double wanted = lattice.smoothing;; wanted *= 1.1) {
+    const double two_particles = 1 / particles::support<double>(lattice.kernel);
+    for (double wanted = std::max(lattice.smoothing, two_particles);; wanted *= 1.1) {
         const double digit = std::pow(10, std::floor(std::log10(wanted)) - 1);
         lattice.smoothing = std::stod(shown(std::ceil(wanted / digit) * digit));
         try {
@@ -167,7 +168,7 @@ std::string remedy(const Formulation<Scalar, dim>& formulation, Lattice<dim> lat
             return "try --smoothing " + shown(lattice.smoothing);
         } catch (const base::FailedComputation&) {
         } catch (const base::InvalidInput&) {  // the support is as large as it can be
-            return "take another --kernel";
+            return "take another kernel";
         }
     }
 }
@@ -182,9 +183,11 @@ Rows<Scalar, dim> limit_stencils(const Formulation<Scalar, dim>& formulation, co
     try {
         return detail::determined_rows(formulation, lattice);
     } catch (const base::FailedComputation& failed) {
+        const Index count = within_reach(lattice).cols();
         throw base::FailedComputation(std::string(formulation.name) + ", " +
                                       std::string(place<dim>(lattice.bounded)) + ": a particle has " +
-                                      std::to_string(within_reach(lattice).cols()) + " neighbours within " +
+                                      std::to_string(count) +
+                                      (count == 1 ? " neighbour within " : " neighbours within ") +
                                       shown(particles::support<double>(lattice.kernel), 3) + "h, " +
                                       failed.what() + "; " + detail::remedy(formulation, lattice));
     }

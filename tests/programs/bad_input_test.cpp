@@ -404,9 +404,10 @@ TEST_CASE("bad input: extreme but meaningful numbers give finite tables") {
           "derivative_test --particles 40 --function 1e300",
           "static_test --particles 40 --displacement 1e-300",
           "static_test --formulation original --particles 2",
-          "constants --formulation fpm --smoothing 1e-300,1", "orders --from 1 --to 1 --step 1e300 --seeds 1",
-          "draws --particles 40 --seeds 2 --perturb 0", "plate --method strong --scaling 1e18",
-          "plate --method weak2 --gauss 4 --penalty 1e18"})
+          "constants --formulation fpm --smoothing 1e-300,1",
+          "constants_in_space --dimension 2 --formulation ssph --smoothing 1e-300,1",
+          "orders --from 1 --to 1 --step 1e300 --seeds 1", "draws --particles 40 --seeds 2 --perturb 0",
+          "plate --method strong --scaling 1e18", "plate --method weak2 --gauss 4 --penalty 1e18"})
         check_finite(command);
 }
 
