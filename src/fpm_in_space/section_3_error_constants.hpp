@@ -35,28 +35,35 @@ namespace fpm_in_space {
 /// | \f$p, C_{ab}\f$ | `LeadingError` | exponent and constants of the leading error |
 /// | \f$\lambda, \theta\f$ | `symbol` | eigenvalue and phases of a wave |
 ///
-/// **What the constants say** (the Gaussian with h = δ). Both derivatives of the second-order FPM have
-/// exponent 2 at faces, edges and corners as inside. The largest constant is that of \f$\partial^4 B/\partial
-/// x_1^4\f$ in the second derivative across a face. It is more than four times the one inside, with the other
-/// sign, and to six digits that of the method at the end of a line: edges and corners make it no worse. SSPH
-/// of degree 2 has exponent 1 there. SSPH of degree 3 has nearly the same constants of second derivatives at
-/// corners, and others inside; its first derivatives have exponent 3, and 4 inside.
+/// **What the constants say** (constants.csv, for the Gaussian with h = δ). Both derivatives of the
+/// second-order FPM have exponent 2 at faces, edges and corners as inside. The largest constant is that of
+/// \f$\partial^4 B/\partial x_1^4\f$ in the second derivative across the boundary. It is more than four times
+/// the one inside, with the other sign, and to six digits that of the method at the end of a line: edges and
+/// corners make it no worse. SSPH of degree 2 has exponent 1 there. SSPH of degree 3 has nearly the same
+/// constants of second derivatives at corners, and others inside; its first derivatives have exponent 3, and
+/// 4 inside. The second-order FPM that Section 2 extends word by word has exponent 2, too, but across an edge
+/// its constants are more than a thousand times as large.
+///
+/// \image html fpm_in_space_figure_constants.svg "Sums of the absolute constants by place and derivative: from the stencils, and as exponentials show them."
 ///
 /// **Where they come from.** The Gaussian in the plane or in space is a product of Gaussians on lines. Where
 /// the value at the particle is one of the unknowns, as in SSPH of degree m, a monomial of degree m + 1
 /// therefore leaves a product of the orthogonal polynomials \f$P_n\f$ of a line or, across a boundary, of
 /// half a line:
 /// \f[ C_{ab} = -\frac{1}{b!} \prod_k P_{b_k}^{(a_k)}(0), \qquad |b| = m + 1 \f]
-/// The second-order FPM takes the value as given, and the constants of its second derivatives are no such
-/// products. Inside they have a closed form in the sums of the Gaussian over a line, which is not that on a
-/// line.
+/// The second-order FPM takes the value as given, and the constants of its second derivatives are, in
+/// general, no such products. Inside they have a closed form in the sums of the Gaussian over a line, which
+/// is not that on a line.
 ///
-/// **The symbol.** On an infinite lattice the Laplacian turns waves into multiples of themselves. Long waves
-/// have the right frequency; short ones are too slow, along the diagonal more than along the axes. No wave
-/// has the frequency zero, but with SSPH some nearly have: with h = 2δ, values that alternate from particle
-/// to particle in both directions keep less than a ten-thousandth of \f$|\theta|^2\f$, since a fit that need
-/// not meet the value at the particle smooths them away. With the second-order FPM they keep 250 times as
-/// much. Inside, SSPH of degree 2 and 3 have the same second derivatives.
+/// **The symbol** (symbol.csv). On an infinite lattice the Laplacian turns waves into multiples of
+/// themselves. Long waves have the right frequency; short ones are too slow, along the diagonal more than
+/// along the axes. No wave has the frequency zero, but with SSPH some nearly have: with h = 2δ, values that
+/// alternate from particle to particle in both directions have less than a ten-thousandth of the exact
+/// eigenvalue, since a fit that need not meet the value at the particle smooths them away. With the
+/// second-order FPM they have 250 times as much. Inside, SSPH of degree 2 and 3 have the same second
+/// derivatives.
+///
+/// \image html fpm_in_space_figure_symbol.svg "Frequencies of waves over the exact ones: along an axis, along the diagonal, and in the plane of phases."
 namespace error_constants {
 
 using base::shown;
@@ -260,7 +267,8 @@ int signed_binomial(const Exponents<dim>& b, const Exponents<dim>& c) {
 /// The factor of \f$\delta^{|b|-|a|}\,\partial^b B\f$ in the error of a row of \f$\partial^a\f$. From
 /// Taylor's expansion of B,
 /// \f[ \sum_j w_j\,[B(x_j) - B(x_i)] - \partial^a B(x_i)
-///     = \sum_{|b| \ge 1} \Big(\frac{m_b}{b!} - \delta_{ab}\Big)\,\delta^{|b|-|a|}\,\partial^b B(x_i) \f]
+///     = \sum_{|b| \ge 1} \Big(\frac{m_b}{b!} - \delta_{ab}\Big)\,\delta^{|b|-|a|}\,\partial^b B(x_i)
+///     \tag{F10} \f]
 template <class Scalar, int dim>
 Scalar taylor_coefficient(const Stencil<Scalar, dim>& stencil, const MultiIndex<dim>& a,
                           const MultiIndex<dim>& b) {
@@ -276,7 +284,7 @@ struct LeadingError {
 };
 
 /// The leading error of a row: of the lowest degree whose Taylor coefficients do not all vanish.
-/// \f[ C_{ab} = \frac{m_b}{b!} - \delta_{ab}, \qquad |b| = |a| + p \f]
+/// \f[ C_{ab} = \frac{m_b}{b!} - \delta_{ab}, \qquad |b| = |a| + p \tag{F11} \f]
 /// \param a derivative that the row approximates
 /// \throws base::FailedComputation where all coefficients up to degree 8 vanish
 template <class Scalar, int dim>
@@ -313,7 +321,7 @@ Scalar scaled_error(const Stencil<Scalar, dim>& stencil, const MultiIndex<dim>& 
 /// The leading error for \f$B = e^{c \cdot (x - x_i)}\f$ as it shows: the scaled error at six spacings,
 /// extrapolated to δ = 0.
 /// \f[ P(c) = \lim_{\delta \to 0} \delta^{-p} \Big( \delta^{-|a|} \sum_j w_j\,[e^{\delta\,c \cdot r_j} - 1]
-///     - c^a \Big) = \sum_{|b| = |a| + p} C_{ab}\,c^b \f]
+///     - c^a \Big) = \sum_{|b| = |a| + p} C_{ab}\,c^b \tag{F12} \f]
 template <class Scalar, int dim>
 Scalar measured_error(const Stencil<Scalar, dim>& stencil, const MultiIndex<dim>& a, const MultiIndex<dim>& c,
                       int exponent) {
@@ -359,7 +367,7 @@ Scalar amplification(const Stencil<Scalar, dim>& stencil) {
 /// The symbol of a row on an infinite lattice: the eigenvalue, times \f$\delta^{|a|}\f$, of a wave that
 /// advances by \f$\theta_k\f$ radians from one particle to the next along axis k. For the Laplacian the exact
 /// one is \f$-|\theta|^2\f$. Its imaginary part vanishes, since the row is even.
-/// \f[ \lambda(\theta) = \sum_j w_j\,(\cos\theta \cdot r_j - 1) \f]
+/// \f[ \lambda(\theta) = \sum_j w_j\,(\cos\theta \cdot r_j - 1) \tag{F13} \f]
 template <class Scalar, int dim>
 Scalar symbol(const Stencil<Scalar, dim>& stencil, const Point<dim, Scalar>& theta) {
     return (stencil.w * ((stencil.r.matrix() * theta).array().cos() - 1)).sum();

@@ -253,6 +253,20 @@ TEST_CASE(
     CHECK(differ(0, {2, 0}) > 0.1);
 }
 
+TEST_CASE(
+    "F11: no constant is larger than that across a face, but a thousandfold ones by the literal extension") {
+    double largest = 0;
+    for (int bounded = 0; bounded <= 3; ++bounded) {
+        const auto all = rows_of<3>("definite_fpm", bounded);
+        for (const auto& a : different_derivatives<3>(bounded))
+            largest =
+                std::max(largest, static_cast<double>(leading_error(row(all, a), a).C.abs().maxCoeff()));
+    }
+    CHECK(largest == relative(-constant<3>("definite_fpm", 1, {2}, {4}), 1e-6));
+    CHECK(leading<2>("literal_second_order_fpm", 1, {2, 0}).exponent == 2);
+    CHECK(constant<2>("literal_second_order_fpm", 1, {2, 0}, {0, 4}) > 1000 * largest);
+}
+
 TEST_CASE("F11: a mirrored corner has the same constants, odd ones with the other sign") {
     const auto& formulation = formulation_named<Quad, 2>("definite_fpm");
     auto near = neighbourhood<Quad>(Lattice<2>{{}, 1, 2});
