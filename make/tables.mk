@@ -39,6 +39,8 @@ batra2008/layouts          = $(bin)/hole --radius 0.25,0.3,0.35,0.4,0.5 --draws 
 batra2008/claims           = $(bin)/claims --paper batra2008
 batra2008/choices          = $(bin)/choices --paper batra2008
 
+fpm_in_space/constants = $(bin)/constants_in_space --formulation definite_fpm,literal_second_order_fpm,ssph,cubic_ssph
+fpm_in_space/symbol    = $(bin)/constants_in_space --symbol --formulation definite_fpm,cubic_ssph --smoothing 1,1.5,2
 fpm_in_space/plane     = $(bin)/derivative_test_in_space --formulation definite_fpm,ssph,cubic_ssph \
                          --particles 16,22,31,43,61,86,121 --perturb 0,0.25 --seeds 25 --median --sample 150
 fpm_in_space/space     = $(bin)/derivative_test_in_space --dimension 3 --formulation definite_fpm,ssph,cubic_ssph \
