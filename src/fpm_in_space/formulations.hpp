@@ -14,9 +14,9 @@ namespace fpm_in_space {
 /// A formulation for both derivatives in the plane or in space, as tests and programs see it.
 template <class Scalar, int dim>
 struct Formulation {
-    std::string_view name;       ///< on the command line and in tables
-    std::string_view equations;  ///< of its discrete form
-    particles::Index particles;  ///< that a neighbourhood must hold, the particle itself included
+    std::string_view name;           ///< on the command line and in tables
+    std::string_view equations;      ///< of its discrete form
+    particles::Index particles = 0;  ///< that a neighbourhood must hold, the particle itself included
     asprone2010::Exactness exact;
 
     /// Weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²].

@@ -20,19 +20,21 @@ using support::relative;
 
 namespace {
 
-/// A row on a few neighbours in the plane.
-Stencil<Quad, 2> stencil(const std::vector<std::array<int, 2>>& r, const std::vector<double>& w) {
-    Stencil<Quad, 2> row{Offsets<Quad, 2>(r.size(), 2), Column<Quad>(r.size())};
-    for (std::size_t j = 0; j < r.size(); ++j) {
-        for (const std::size_t axis : {0u, 1u}) row.r(j, axis) = r[j][axis];
-        row.w[j] = w[j];
+/// A row on a few neighbours in the plane: their offsets and weights.
+Stencil<Quad, 2> stencil(const std::vector<std::array<double, 3>>& neighbours) {
+    const auto count = static_cast<Index>(neighbours.size());
+    Stencil<Quad, 2> row{Offsets<Quad, 2>(count, 2), Column<Quad>(count)};
+    for (Index j = 0; j < count; ++j) {
+        const auto& [x, y, w] = neighbours[static_cast<std::size_t>(j)];
+        row.r.row(j) << x, y;
+        row.w[j] = w;
     }
     return row;
 }
 
-const Stencil<Quad, 2> second = stencil({{-1, 0}, {0, 0}, {1, 0}}, {1, -2, 1});
-const Stencil<Quad, 2> mixed = stencil({{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}, {0.25, -0.25, -0.25, 0.25});
-const Stencil<Quad, 2> five_points = stencil({{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {0, 0}}, {1, 1, 1, 1, -4});
+const Stencil<Quad, 2> second = stencil({{-1, 0, 1}, {0, 0, -2}, {1, 0, 1}});
+const Stencil<Quad, 2> mixed = stencil({{1, 1, 0.25}, {1, -1, -0.25}, {-1, 1, -0.25}, {-1, -1, 0.25}});
+const Stencil<Quad, 2> five_points = stencil({{-1, 0, 1}, {1, 0, 1}, {0, -1, 1}, {0, 1, 1}, {0, 0, -4}});
 
 template <int dim>
 Rows<Quad, dim> rows_of(std::string_view name, int bounded, double smoothing = 1) {
@@ -103,7 +105,7 @@ TEST_CASE("F11: the leading error is that of the lowest degree that has any") {
     CHECK(error.b == of_degree<2>(4));
     CHECK(static_cast<double>(error.C[0]) == relative(1.0 / 12, 1e-15));
     CHECK((error.C.tail(4) == 0).all());
-    const auto none = stencil({{0, 0}}, {0});
+    const auto none = stencil({{0, 0, 0}});
     CHECK(leading_error<Quad, 2>(none, {2, 0}).exponent == 0);
     CHECK(leading_error<Quad, 2>(none, {2, 0}).C[0] == -1);
 }
