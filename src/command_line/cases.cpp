@@ -95,7 +95,8 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
 
     app.column_width(34);
     app.add_list("--formulation", options.formulations,
-                 "formulations: all (default), or some of " + joined(known_formulations(extra)));
+                 "formulations: all (default), or some of " + joined(known_formulations(extra)) +
+                     "; by its name only: " + joined(names_beside_all()));
     const auto counts =
         app.add_list("--particles", options.particles,
                      "numbers of particles N: a list such as 10,20,40 or a range from:step:to (default " +
@@ -191,7 +192,7 @@ void check_effect(const Options& options, const std::vector<std::string>& wanted
 
 std::vector<Case> cases(const Options& options, const std::vector<std::string>& extra) {
     const std::vector<std::string> wanted =
-        chosen("formulation", options.formulations, known_formulations(extra));
+        chosen("formulation", options.formulations, known_formulations(extra), names_beside_all());
     check_effect(options, wanted, extra);
     if (options.seeds - 1 > largest_seed - options.seed)
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
@@ -336,14 +337,16 @@ report::Table errors_or_states(Options& options, const std::function<report::Tab
 std::vector<std::string> header_comments(const Options& options) {
     std::string equations;
     const auto& wanted = options.formulations;
-    for (const auto& formulation : formulations()) {
-        const std::string name(formulation.name);
-        if (wanted != std::vector<std::string>{"all"} &&
-            std::find(wanted.begin(), wanted.end(), name) == wanted.end())
-            continue;
-        equations += (equations.empty() ? "equations: " : ", ") + std::string(formulation.name) + " " +
-                     std::string(formulation.equations);
+    std::vector<std::string> named = formulation_names();
+    if (wanted != std::vector<std::string>{"all"}) {
+        for (const std::string& name : names_beside_all()) named.push_back(name);
+        std::erase_if(named, [&](const std::string& name) {
+            return std::find(wanted.begin(), wanted.end(), name) == wanted.end();
+        });
     }
+    for (const std::string& name : named)
+        equations += (equations.empty() ? "equations: " : ", ") + name + " " +
+                     std::string(formulation_named<double>(name).equations);
     std::vector<std::string> comments{parameters(options)};
     if (!equations.empty()) comments.insert(comments.begin(), equations);
     return comments;

@@ -6,6 +6,7 @@
 
 #include "asprone2010/in_quad.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
 
 namespace command_line {
 
@@ -22,6 +23,15 @@ particles::Operators<Scalar> ssph(const particles::Line<Scalar>& line,
     return particles::assemble(line, smoothing, required, [edge](particles::Neighbourhood<Scalar> near) {
         near.W = (near.W - edge).max(Scalar(0));
         return batra2008::ssph_basis::derivatives<2>(near);
+    });
+}
+
+template <class Scalar>
+particles::Operators<Scalar> definite_fpm(const particles::Line<Scalar>& line,
+                                          const particles::Smoothing<Scalar>& smoothing,
+                                          const particles::Requirement& required) {
+    return particles::assemble(line, smoothing, required, [](const particles::Neighbourhood<Scalar>& near) {
+        return fpm_in_space::second_order_fpm::derivatives(near);
     });
 }
 
@@ -43,9 +53,18 @@ std::vector<std::string> formulation_names() {
     return names;
 }
 
+std::vector<std::string> names_beside_all() {
+    return {"definite_fpm"};
+}
+
 template <class Scalar>
 const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted) {
-    return asprone2010::named(formulations<Scalar>(), wanted);
+    static const auto known = [] {
+        auto list = formulations<Scalar>();
+        list.push_back({"definite_fpm", "1", "F5", 4, {2, 3}, definite_fpm<Scalar>});
+        return list;
+    }();
+    return asprone2010::named(known, wanted);
 }
 
 template const std::vector<asprone2010::Formulation<double>>& formulations();

@@ -17,6 +17,11 @@ const std::vector<asprone2010::Formulation<Scalar>>& formulations();
 /// Their names.
 std::vector<std::string> formulation_names();
 
+/// The names of formulations that "all" leaves out, since neither paper has them: definite_fpm, that of
+/// fpm_in_space on a line.
+std::vector<std::string> names_beside_all();
+
+/// The formulation of a name, of one beside all, too.
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>
 const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted);

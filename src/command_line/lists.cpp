@@ -127,10 +127,12 @@ std::array<long, 2> pair_of(const std::string& option, const std::string& text) 
 }
 
 std::vector<std::string> chosen(const std::string& what, const std::vector<std::string>& wanted,
-                                const std::vector<std::string>& known) {
+                                const std::vector<std::string>& known,
+                                const std::vector<std::string>& beside) {
     if (wanted == std::vector<std::string>{"all"}) return known;
     std::vector<std::pair<std::string, std::string>> choices{{"all", "all"}};
-    for (const std::string& name : known) choices.emplace_back(name, name);
+    for (const auto* names : {&known, &beside})
+        for (const std::string& name : *names) choices.emplace_back(name, name);
     for (const std::string& name : wanted)
         if (base::choose(what, name, choices) == "all")
             throw InvalidInput("--" + what + " all takes no other name beside it");

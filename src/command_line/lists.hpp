@@ -30,10 +30,12 @@ std::vector<long> whole_numbers(const std::string& option, const std::string& li
 std::array<long, 2> pair_of(const std::string& option, const std::string& text);
 
 /// The names that an option asks for; "all" alone stands for all that are known.
-/// \param what the names name, such as "formulation"
+/// \param what the names name, such as "formulation" \param beside names that are known, and that "all" leaves
+///        out
 /// \throws base::InvalidInput for a name that is not known, and for "all" beside another
 std::vector<std::string> chosen(const std::string& what, const std::vector<std::string>& wanted,
-                                const std::vector<std::string>& known);
+                                const std::vector<std::string>& known,
+                                const std::vector<std::string>& beside = {});
 
 /// Words separated by commas, such as those that a message lists.
 std::string joined(const std::vector<std::string>& words);

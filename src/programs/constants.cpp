@@ -60,7 +60,8 @@ std::vector<Place> places(const Lists& lists) {
     using command_line::chosen;
     std::vector<Place> all;
     for (const std::string& formulation :
-         chosen("formulation", lists.formulations, command_line::formulation_names()))
+         chosen("formulation", lists.formulations, command_line::formulation_names(),
+                command_line::names_beside_all()))
         for (const std::string& kernel : chosen("kernel", lists.kernels, kernel_names()))
             for (const double smoothing : lists.smoothings)
                 for (const std::string& convention : lists.volumes)

@@ -84,7 +84,8 @@ report::Table table_of(const Draws& draws) {
                      {"error_displacement", {1e-6, 5e-10}}};
     command_line::Sweep sweep(table, 1);
     for (const std::string& name :
-         command_line::chosen("formulation", draws.formulations, command_line::formulation_names()))
+         command_line::chosen("formulation", draws.formulations, command_line::formulation_names(),
+                              command_line::names_beside_all()))
         sweep.attempt({name}, [&] { return percentiles(name, draws); });
     sweep.finish();
     return table;

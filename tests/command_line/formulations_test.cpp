@@ -1,9 +1,15 @@
 #include "command_line/formulations.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "asprone2010/section_5_1_derivative_test.hpp"
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "base/quad.hpp"
 #include "batra2008/basis_at.hpp"
+#include "report/file.hpp"
+#include "report/table.hpp"
+#include "tests/folder.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/support.hpp"
 
@@ -99,4 +105,44 @@ TEST_CASE("formulations: the programs know ssph, and refuse it where particles a
     programs::check_refused(
         "static_test --formulation ssph --particles 2", 1,
         "ssph: particle 0 (x = 0) has 2 neighbours within 6h, needs 3; take at least 3 particles");
+}
+
+TEST_CASE(
+    "formulations: definite_fpm is known by its name alone, and is of second order in all three tests, ends included") {
+    const auto names = command_line::formulation_names();
+    CHECK(std::find(names.begin(), names.end(), "definite_fpm") == names.end());
+    const auto& definite = command_line::formulation_named<double>("definite_fpm");
+    std::vector<double> spacing, first, second, displacement;
+    for (const Index N : {80, 160, 320}) {
+        const auto particles = support::particles_of(N, {Volumes::equal, Gaussian{}, 1, 0.25}, 5);
+        const auto errors =
+            derivative_test::errors(definite, particles, derivative_test::exponential<double>());
+        spacing.push_back(1 / static_cast<double>(N - 1));
+        first.push_back(errors.first);
+        second.push_back(errors.second);
+        displacement.push_back(static_test::error(definite, particles, static_test::exponential_load()));
+    }
+    for (const auto* const error : {&first, &second, &displacement})
+        CHECK(report::observed_order(spacing, *error) == support::relative(2, 0.2));
+    for (const char* program : {"derivative_test", "static_test", "vibration_test", "constants"})
+        CHECK(programs::run(std::string(program) + " --formulation definite_fpm" +
+                            (std::string(program) == "constants" ? "" : " --particles 20"))
+                  .code == 0);
+    const std::string all = programs::run("derivative_test --particles 20").output;
+    CHECK(all.find("definite_fpm") == std::string::npos);
+}
+
+TEST_CASE(
+    "formulations: definite_fpm differentiates behind a short first gap, where second_order_fpm is refused") {
+    const support::Folder folder;
+    const std::string file = folder.path + "/gap.txt";
+    std::string positions = "0\n";
+    for (int j = 0; j < 60; ++j) positions += base::shown((0.0980558 + j) / 59.0980558, 17) + "\n";
+    report::write_whole(file, positions);
+    const std::string options = " --smoothing 2 --smoothing-from largest --positions " + file;
+    programs::check_refused("derivative_test --formulation second_order_fpm" + options, 1, "R = ");
+    const auto [code, output, errors] = programs::run("derivative_test --formulation definite_fpm" + options);
+    CHECK(code == 0);
+    const auto table = report::parsed(output);
+    CHECK(std::get<double>(table.rows[0][table.column("error_second")]) < 0.02);
 }
