@@ -44,7 +44,7 @@ Points<dim> random_points(Index N, unsigned seed) {
 /// A grid on the unit cube, n particles in each direction.
 template <int dim>
 Points<dim> grid_points(Index n) {
-    const Index N = static_cast<Index>(std::lround(std::pow(static_cast<double>(n), dim)));
+    const auto N = static_cast<Index>(std::lround(std::pow(static_cast<double>(n), dim)));
     Points<dim> x(dim, N);
     for (Index j = 0; j < N; ++j)
         for (Index axis = 0, rest = j; axis < dim; ++axis, rest /= n)
