@@ -47,15 +47,13 @@ endif
 bin := $(BUILD)/bin
 version := $(shell sed -n 's/^version: //p' CITATION.cff)
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
-# With what is built on both papers.
-texts := $(papers) fpm_in_space
 sources := $(shell find src tests -name '*.cpp' | LC_ALL=C sort)
 objects_in = $(patsubst %.cpp,$(BUILD)/%.o,$(foreach files,$(1),$(filter $(files),$(sources))))
 tool_objects := $(call objects_in,src/expressions/% src/command_line/% src/report/file.cpp src/report/table.cpp)
 claim_objects := $(filter-out $(tool_objects),$(call objects_in,\
                    $(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)) src/report/%))
 method_objects := $(filter-out $(claim_objects),\
-                    $(call objects_in,$(texts:%=src/%/%) src/solvers/% src/particles/% src/base/%))
+                    $(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
 cli := $(BUILD)/src/command_line/command_line.o
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
@@ -106,7 +104,7 @@ endif
 # every file includes what it needs.
 ifeq (,$(findstring clang,$(CXX)))
 libraries := $(BUILD)/src/libraries.hpp.gch $(BUILD)/tests/libraries.hpp.gch
-with_eigen := $(texts) solvers particles expressions command_line programs
+with_eigen := $(papers) solvers particles expressions command_line programs
 $(filter-out $(cli),$(call objects_in,$(with_eigen:%=src/%/%))): $(BUILD)/src/libraries.hpp.gch
 $(call objects_in,$(with_eigen:%=tests/%/%)): $(BUILD)/tests/libraries.hpp.gch
 $(libraries): make/libraries.hpp $(BUILD)/flags

@@ -1,7 +1,7 @@
 // Search: equations by their numbers, sections, figures, claims, and every function, type, heading and file, from landmarks.js.
 const words = (text) => text.normalize("NFKC").toLowerCase().replace(/\.(?!\d)/g, " ").replace(/[^\p{L}\p{N}.]+/gu, " ").trim().split(" ");
 // A number in brackets is an equation's.
-const wordsOf = (query) => words(query.replace(/\(([AB]?[\d.]+)\)/gi, "equation $1")).filter((word) => word);
+const wordsOf = (query) => words(query.replace(/\(([A-Z]?[\d.]+)\)/gi, "equation $1")).filter((word) => word);
 
 // What can be found: a label, where it stands, a link, and the words that find it.
 function findable() {

@@ -1,7 +1,7 @@
 # Installed are the library of the methods and its headers, without those of the claims.
 # Variables: PREFIX, and DESTDIR, which goes before it.
 PREFIX ?= /usr/local
-headers := $(filter-out %/choices.hpp,$(shell find src/base src/particles src/solvers $(texts:%=src/%) \
+headers := $(filter-out %/choices.hpp,$(shell find src/base src/particles src/solvers $(papers:%=src/%) \
              -name '*.hpp' -not -path '*/claims/*'))
 define install_below
 	prefix=$$(realpath -ms -- "$(1)")

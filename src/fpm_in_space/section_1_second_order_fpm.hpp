@@ -51,6 +51,8 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// The second derivatives are those of the SSPH basis of degree 3, \eq{B2.8}, if its expansion takes the value
 /// at the particle as given: both solve for the same unknowns under the same conditions. The two papers of
 /// this package meet here.
+///
+/// What this section claims, and what was measured: \claims{F-1}.
 namespace second_order_fpm {
 
 /// How many particles determine the derivatives: the particle itself, and a neighbour for each monomial of
@@ -58,8 +60,9 @@ namespace second_order_fpm {
 template <int dim>
 inline constexpr particles::Requirement required{"definite_fpm", terms<dim, 3>};
 
-/// The monomials of Taylor's expansion up to degree 3, without the constant,
-/// \f[ B(x_j) - B(x_i) = \sum_{1 \le |a| \le 3} \frac{r^a}{a!}\,h^{|a|}\,\partial^a B(x_i) + O(|x_j - x_i|^4) \f]
+/// The monomials of Taylor's expansion up to degree 3, without the constant. \defeq{F1}
+/// \f[ B(x_j) - B(x_i) = \sum_{1 \le |a| \le 3} \frac{r^a}{a!}\,h^{|a|}\,\partial^a B(x_i) + O(|x_j - x_i|^4)
+///     \tag{F1} \f]
 /// \return a row for each monomial
 template <class Scalar, int dim>
 Table<Scalar> monomials_of(const Neighbourhood<Scalar, dim>& near) {
@@ -86,8 +89,8 @@ Table<Scalar> odd(const Table<Scalar>& p) {
     return o;
 }
 
-/// The products of two sets of functions over the neighbours,
-/// \f[ \langle f_m, g_n\rangle = \sum_j f_m(r_j)\,g_n(r_j)\,W_j\,V_j \f]
+/// The products of two sets of functions over the neighbours. \defeq{F2}
+/// \f[ \langle f_m, g_n\rangle = \sum_j f_m(r_j)\,g_n(r_j)\,W_j\,V_j \tag{F2} \f]
 /// \param f, g a row for each function \param WV W times V of each neighbour
 /// \return a row for each f, a column for each g
 template <class Scalar>
@@ -125,8 +128,8 @@ Table<Scalar> coefficients(const Table<Scalar>& q, const Table<Scalar>& o, const
     return particles::solved(factors, product(o, q, WV));
 }
 
-/// The corrections: the monomials of degree 2 less what the odd ones explain of them,
-/// \f[ C_m = q_m - o^T G^{-1} \langle o, q_m\rangle, \qquad G = \langle o, o^T\rangle, \qquad q = p_2 \f]
+/// The corrections: the monomials of degree 2 less what the odd ones explain of them. \defeq{F3}
+/// \f[ C_m = q_m - o^T G^{-1} \langle o, q_m\rangle, \qquad G = \langle o, o^T\rangle, \qquad q = p_2 \tag{F3} \f]
 /// so that \f$\langle C_m, o\rangle = 0\f$. G is a Gram matrix; one factorisation serves all m.
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
 template <class Scalar>
@@ -134,15 +137,17 @@ Table<Scalar> corrections(const Table<Scalar>& q, const Table<Scalar>& o, const 
     return q - coefficients(q, o, WV).transpose() * o;
 }
 
-/// The kernels \f$K_m = C_m\,W\f$ times the volumes, as \eq{A39}.
+/// The kernels times the volumes, as \eq{A39}. \defeq{F4}
+/// \f[ K_m = C_m\,W \tag{F4} \f]
 template <class Scalar>
 Table<Scalar> kernels(const Table<Scalar>& C, const Column<Scalar>& WV) {
     return C * WV.matrix().asDiagonal();
 }
 
-/// The second derivatives: the expansion projected on the kernels, whose terms of odd degree vanish,
+/// The second derivatives: the expansion projected on the kernels, whose terms of odd degree vanish.
+/// \defeq{F5}
 /// \f[ \sum_n \langle C_m, p_{2,n}\rangle \frac{\partial^{a_n} B(x_i)}{a_n!}
-///     = \sum_j [B(x_j) - B(x_i)]\,K_m(x_j)\,V_j \f]
+///     = \sum_j [B(x_j) - B(x_i)]\,K_m(x_j)\,V_j \tag{F5} \f]
 /// The matrix is the Schur complement \f$\langle p_2, p_2\rangle - \langle p_2, o\rangle G^{-1} \langle o,
 /// p_2\rangle\f$, symmetric and definite. The remainder is O(h⁴), over h²: second order, everywhere.
 /// \param K kernels times volumes
@@ -160,9 +165,9 @@ Table<Scalar> second(const Table<Scalar>& K, const Table<Scalar>& p2, const Colu
 }
 
 /// The first derivatives: the expansion projected on \f$p_1 W\f$, which is \f$-\tfrac12 DW\f$ of the Gaussian,
-/// with the second derivatives known,
+/// with the second derivatives known. \defeq{F6}
 /// \f[ \langle p_1, p_1^T\rangle\,DB(x_i) = \sum_j \Big\{B(x_j) - B(x_i)
-///     - \sum_n \frac{r_j^{a_n}}{a_n!}\,\partial^{a_n} B(x_i)\Big\}\,p_1(r_j)\,W_j\,V_j \f]
+///     - \sum_n \frac{r_j^{a_n}}{a_n!}\,\partial^{a_n} B(x_i)\Big\}\,p_1(r_j)\,W_j\,V_j \tag{F6} \f]
 /// The remainder is O(h³), over h: second order, too.
 /// \param D2 weights of the second derivatives
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h], a row for each coordinate

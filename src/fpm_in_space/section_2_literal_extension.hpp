@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
+#include "base/quad.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 
 namespace fpm_in_space {
@@ -13,13 +15,13 @@ namespace fpm_in_space {
 /// must be added, and the paper does not say what.
 ///
 /// Two answers keep to its words. One multiplies W by as many functions q as there are second derivatives: the
-/// constant of the paper, and the harmonic polynomials of degree 2, which the constant lacks, (F7). The other
-/// takes the first and the second derivatives of W, (F8). The second-order FPM corrects the kernels of the
-/// first answer as the paper corrects its one, (F9).
+/// constant of the paper, and the harmonic polynomials of degree 2, which the constant lacks, \eq{F7}. The other
+/// takes the first and the second derivatives of W, \eq{F8}. The second-order FPM corrects the kernels of the
+/// first answer as the paper corrects its one, \eq{F9}.
 ///
-/// None of the three is of use. On a grid (F9) is of second order, with errors at the edges thousands of
-/// times those of Section 1; on particles that lie irregularly, neither it nor (F7) converges there: their
-/// matrices are nearly singular. (F8) is of first order everywhere, but a membrane has eigenvalues of the
+/// None of the three is of use. On a grid \eq{F9} is of second order, with errors at the edges thousands of
+/// times those of Section 1; on particles that lie irregularly, neither it nor \eq{F7} converges there: their
+/// matrices are nearly singular. \eq{F8} is of first order everywhere, but a membrane has eigenvalues of the
 /// wrong sign. All these matrices are neither Gram matrices nor Schur complements of one, so that nothing
 /// keeps them away from singular ones.
 ///
@@ -30,6 +32,8 @@ namespace fpm_in_space {
 /// | \f$\varphi_m\f$ | `kernels` | the kernels on which the expansion is projected, times volumes |
 ///
 /// Tables have a row for each function and a column for each neighbour, as in Section 1.
+///
+/// What this section claims, and what was measured: \claims{F-2}.
 namespace literal_extension {
 
 using second_order_fpm::linear;
@@ -40,10 +44,6 @@ using second_order_fpm::quadratic;
 /// How many derivatives of order 1 and 2 there are: 2 on a line, 5 in the plane, 9 in space.
 template <int dim>
 inline constexpr int unknowns = terms<dim, 2> - 1;
-
-/// The local system's matrix; of any size, so that its inverse is compiled once for all dimensions.
-template <class Scalar>
-using System = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The terms of Taylor's expansion up to degree 2, \f$r^a/a!\f$, without the constant.
 /// \return a row for each derivative
@@ -71,9 +71,40 @@ Table<Scalar> constant_and_harmonic(const Table<Scalar>& p2) {
 /// \f[ A_{mn} = \sum_j \varphi_m(x_j)\,\frac{r_j^{a_n}}{a_n!}\,V_j \f]
 /// \param kernels kernels times volumes
 template <class Scalar, int dim>
-System<Scalar> matrix(const Table<Scalar>& kernels, const Neighbourhood<Scalar, dim>& near) {
+Table<Scalar> matrix(const Table<Scalar>& kernels, const Neighbourhood<Scalar, dim>& near) {
     return kernels.lazyProduct(taylor(near).transpose());
 }
+
+namespace detail {
+
+/// Inverse of a matrix without symmetry, by elimination with a choice of rows; for matrices of 9 rows,
+/// Eigen's factors take long to compile.
+/// \throws particles::SingularNeighbourhood where the reciprocal condition number (1-norm) is below 100 ε
+template <class Scalar>
+Table<Scalar> inverse(const Table<Scalar>& A) {
+    const Index n = A.rows();
+    Table<Scalar> left = A, right = Table<Scalar>::Identity(n, n);
+    for (Index k = 0; k < n; ++k) {
+        Index pivot = 0;
+        left.col(k).tail(n - k).cwiseAbs().maxCoeff(&pivot);
+        left.row(k).swap(left.row(k + pivot));
+        right.row(k).swap(right.row(k + pivot));
+        right.row(k) /= left(k, k);
+        left.row(k) /= Scalar(left(k, k));
+        for (Index i = 0; i < n; ++i) {
+            if (i == k) continue;
+            right.row(i) -= left(i, k) * right.row(k);
+            left.row(i) -= Scalar(left(i, k)) * left.row(k);
+        }
+    }
+    const auto norm = [](const Table<Scalar>& M) { return M.cwiseAbs().colwise().sum().maxCoeff(); };
+    const Scalar reciprocal_condition = 1 / (norm(A) * norm(right));
+    if (!(reciprocal_condition > 100 * std::numeric_limits<Scalar>::epsilon()))
+        throw particles::SingularNeighbourhood(static_cast<double>(reciprocal_condition));
+    return right;
+}
+
+}  // namespace detail
 
 /// All derivatives at once from the projected expansion, as \eq{A36},
 /// \f[ \sum_n A_{mn}\,\partial^{a_n} B(x_i) = \sum_j [B(x_j) - B(x_i)]\,\varphi_m(x_j)\,V_j \f]
@@ -82,12 +113,12 @@ System<Scalar> matrix(const Table<Scalar>& kernels, const Neighbourhood<Scalar, 
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine the derivatives
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> projected(const Table<Scalar>& kernels, const Neighbourhood<Scalar, dim>& near) {
-    const Table<Scalar> weights = particles::inverse(matrix(kernels, near)).lazyProduct(kernels);
+    const Table<Scalar> weights = detail::inverse(matrix(kernels, near)).lazyProduct(kernels);
     return {weights.topRows(dim).transpose().array(),
             weights.bottomRows(second_derivatives<dim>).transpose().array()};
 }
 
-/// The kernels of the modified FPM, with the gradient of W as the paper has it.
+/// The kernels of the modified FPM, with the gradient of W as the paper has it. \defeq{F7}
 /// \f[ \varphi = \{q\,W,\ DW\}, \qquad q = \{1,\ r_1^2 - r_2^2,\ \ldots,\ r_1 r_2,\ \ldots\} \tag{F7} \f]
 /// On a line they are the paper's W and DW, \eq{A36}.
 /// \return kernels times volumes
@@ -100,7 +131,7 @@ Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>& near) {
     return all * V.matrix().asDiagonal();
 }
 
-/// The kernels of the other reading: all derivatives of the Gaussian W of order 1 and 2.
+/// The kernels of the other reading: all derivatives of the Gaussian W of order 1 and 2. \defeq{F8}
 /// \f[ \varphi = \{DW,\ D^2W\}, \qquad \partial_{kl} W = (4\,r_k r_l - 2\,\delta_{kl})\,W \tag{F8} \f]
 /// With another kernel W they are not its derivatives, but still kernels.
 /// \return kernels times volumes
@@ -134,7 +165,7 @@ Table<Scalar> odd_derivative(const Neighbourhood<Scalar, dim>& near, int axis) {
     return all;
 }
 
-/// The kernels of the second-order FPM: those of (F7), corrected as \eq{A39} to \eq{A42}.
+/// The kernels of the second-order FPM: those of \eq{F7}, corrected as \eq{A39} to \eq{A42}. \defeq{F9}
 /// \f[ \varphi = \{K,\ DK_1\}, \qquad K_m = C_m\,W, \qquad \langle C_m, o\rangle = 0, \qquad
 ///     DK_1 = DC_1\,W + C_1\,DW \tag{F9} \f]
 /// \f$C_1\f$, which begins with the constant, is the paper's correction but for a factor, and \f$DK_1\f$ the
@@ -147,7 +178,7 @@ Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>& near) {
     const Column<Scalar> WV = W * V;
     const Table<Scalar> p = monomials_of(near), o = odd<dim>(p),
                         q = constant_and_harmonic<dim>(quadratic<dim>(p));
-    const Table<Scalar> c = second_order_fpm::coefficients(q, o, WV), C = q - c.transpose() * o;
+    const Table<Scalar> c = second_order_fpm::coefficients(q, o, WV), C = q - c.transpose().lazyProduct(o);
     const Column<Scalar> C_1 = C.row(0).transpose(), c_1 = c.col(0);
     Table<Scalar> all(unknowns<dim>, W.size());
     all.topRows(C.rows()) = second_order_fpm::kernels(C, WV);
@@ -158,24 +189,41 @@ Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>& near) {
     return all;
 }
 
-/// The modified FPM, (F7). Errors as for projected().
+/// The modified FPM, \eq{F7}. Errors as for projected().
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> modified(const Neighbourhood<Scalar, dim>& near) {
     return projected(harmonic_kernels(near), near);
 }
 
-/// The modified FPM with the kernel's derivatives, (F8). Errors as for projected().
+/// The modified FPM with the kernel's derivatives, \eq{F8}. Errors as for projected().
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> modified_by_derivatives(const Neighbourhood<Scalar, dim>& near) {
     return projected(kernel_derivatives(near), near);
 }
 
-/// The second-order FPM, (F9). Errors as for projected(), and where the neighbours do not determine the odd
+/// The second-order FPM, \eq{F9}. Errors as for projected(), and where the neighbours do not determine the odd
 /// monomials.
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> second_order(const Neighbourhood<Scalar, dim>& near) {
     return projected(corrected_kernels(near), near);
 }
+
+/// Condition number of a local system in units of h: its largest singular value over its smallest, as
+/// asprone2010::local_conditions. They are the positive eigenvalues of [0, A; Aᵀ, 0].
+double condition(const Table<double>& A);
+
+// Compiled once, in section_2_literal_extension.cpp.
+#define FPM_IN_SPACE_LITERAL_EXTENSION(TEMPLATE, Scalar, dim)                               \
+    TEMPLATE Table<Scalar> matrix(const Table<Scalar>&, const Neighbourhood<Scalar, dim>&); \
+    TEMPLATE Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>&);             \
+    TEMPLATE Table<Scalar> kernel_derivatives(const Neighbourhood<Scalar, dim>&);           \
+    TEMPLATE Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>&);            \
+    TEMPLATE Derivatives<Scalar, dim> projected(const Table<Scalar>&, const Neighbourhood<Scalar, dim>&);
+FPM_IN_SPACE_LITERAL_EXTENSION(extern template, double, 1)
+FPM_IN_SPACE_LITERAL_EXTENSION(extern template, double, 2)
+FPM_IN_SPACE_LITERAL_EXTENSION(extern template, double, 3)
+FPM_IN_SPACE_LITERAL_EXTENSION(extern template, base::Quad, 2)
+FPM_IN_SPACE_LITERAL_EXTENSION(extern template, base::Quad, 3)
 
 }  // namespace literal_extension
 }  // namespace fpm_in_space

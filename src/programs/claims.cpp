@@ -7,6 +7,7 @@
 #include "batra2008/claims/ledger.hpp"
 #include "command_line/command_line.hpp"
 #include "command_line/progress.hpp"
+#include "fpm_in_space/claims/ledger.hpp"
 #include "report/file.hpp"
 #include "report/ledger.hpp"
 #include "report/papers.hpp"
@@ -19,7 +20,8 @@ using report::Table;
 
 /// A paper's computations. \throws base::FailedComputation where it has none
 report::Computations computations_of(const report::Paper& paper) {
-    for (const report::Ledger& ledger : {asprone2010::claims::ledger(), batra2008::claims::ledger()})
+    for (const report::Ledger& ledger :
+         {asprone2010::claims::ledger(), batra2008::claims::ledger(), fpm_in_space::claims::ledger()})
         if (ledger.paper == paper.folder) return ledger.computations;
     throw base::FailedComputation(paper.folder + " has no computations that decide claims");
 }

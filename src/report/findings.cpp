@@ -37,8 +37,8 @@ std::string count(const std::string& beginning, const std::vector<Reproduction>&
 }
 
 std::string value(const std::string& of, const std::vector<Reproduction>& all) {
-    if (of == "verdicts") {
-        const std::string words = sentence(all);
+    if (of == "verdicts" || of == "own verdicts") {
+        const std::string words = sentence(all, of == "own verdicts");
         return words.substr(0, words.find('\n'));
     }
     const std::size_t blank = of.find(' ');

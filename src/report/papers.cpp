@@ -15,6 +15,7 @@ std::vector<Paper> papers(const Table& table) {
             {word("letter"),
              word("paper"),
              word("citation"),
+             word("own") == "yes",
              {word("conventions"), {word("one"), word("if_one")}, {word("other"), word("if_other")}}});
     }
     return all;

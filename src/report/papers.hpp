@@ -9,15 +9,16 @@
 
 namespace report {
 
-/// A paper that the package reproduces.
+/// A paper that the package reproduces, or a text of our own in the same shape.
 struct Paper {
     std::string letter;       ///< first in the keys of its equations and claims: A for A16 and A-5.2-order
     std::string folder;       ///< of its source, tests, data and figures: asprone2010
     std::string citation;     ///< Asprone et al. (2010)
+    bool own;                 ///< a text of our own, whose claims are counted apart from the papers'
     Conventions conventions;  ///< under which its claims are measured
 };
 
-/// The papers of paper/papers.csv, in its order.
+/// The papers and texts of paper/papers.csv, in its order.
 std::vector<Paper> papers(const Table& table);
 
 /// A paper by its folder. \throws base::InvalidInput where there is none of that name

@@ -49,9 +49,11 @@ std::string in_brief(const Tally& tally) {
     return text;
 }
 
-std::string in_a_sentence(const Tally& tally) {
+std::string in_a_sentence(const Tally& tally, bool own) {
     const auto& [reproduced, conditional, differ, undecided, definitions] = tally;
-    return "Of the papers' " + std::to_string(tally.claims()) + " testable statements, " +
+    const std::string count = std::to_string(tally.claims());
+    return (own ? "Of the " + count + " statements of our own text, "
+                : "Of the papers' " + count + " testable statements, ") +
            std::to_string(reproduced) + " are reproduced, " + std::to_string(conditional) +
            " hold under a condition, and " + std::to_string(differ) + " differ" +
            (undecided > 0 ? "; " + std::to_string(undecided) + " could not be decided" : "") +

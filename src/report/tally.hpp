@@ -32,6 +32,7 @@ std::string in_full(const Tally& tally);
 std::string in_brief(const Tally& tally);
 
 /// "Of the papers' 171 testable statements, 135 are reproduced, 21 hold under a condition, and 15 differ."
-std::string in_a_sentence(const Tally& tally);
+/// \param own whether they are "the 171 statements of our own text"
+std::string in_a_sentence(const Tally& tally, bool own = false);
 
 }  // namespace report

@@ -49,12 +49,13 @@ std::string anchor_of_test(const std::string& file) {
     return "test_" + replaced(file.substr(0, file.rfind('.')), "/", "_");
 }
 
-/// The text of a cell. Equations of its paper that it names, "(16)", become links.
+/// The text of a cell. Equations of its paper that it names, "(16)" or "(F7)", become links.
 std::string linked(const std::string& text, const Table& equations) {
     std::string with_links = escaped(text);
     for (std::size_t row = 0; row < equations.rows.size(); ++row) {
         const std::string equation = equations.word(row, "equation");
-        with_links = replaced(with_links, "(" + number(equation) + ")", "\\eq{" + equation + "}");
+        for (const std::string& name : {number(equation), equation})
+            with_links = replaced(with_links, "(" + name + ")", "\\eq{" + equation + "}");
     }
     return with_links;
 }
@@ -235,7 +236,7 @@ std::vector<Reproduction> reproductions() {
 
 std::string equation_page(const std::vector<Reproduction>& all) {
     std::string page =
-        "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, the tests that name it, and the verdicts on what the paper claims about it.\n";
+        "Equations {#equations}\n=========\n\nEvery numbered equation, with the code that stands below it, the tests that name it, and the verdicts on what is claimed about it.\n";
     for (const Reproduction& reproduction : all) page += equations_of(reproduction);
     return page;
 }
@@ -243,6 +244,7 @@ std::string equation_page(const std::vector<Reproduction>& all) {
 std::string claims_page(const std::vector<Reproduction>& all) {
     std::string page =
         "Claims {#claims}\n======\n\nEvery statement of a paper that a measurement can confirm or refute, in our words. Each verdict is computed: the statement is compared with what was measured under two conventions between which the print does not decide. The name of a claim leads to the tests of its subject.\n\n"
+        "A text of our own has statements, too: they were predicted, and measured after that, in the plane and in space. They are counted apart.\n\n"
         "- **reproduced**: it holds under both conventions.\n"
         "- **holds only if**: it does not hold as it stands, but with the condition that the verdict names, or under one convention alone. The number that follows was measured with the condition. A misprint that one sign or one entry mends is a condition.\n"
         "- **differs**: it holds under neither, nor with the conditions that were tried, which the verdict names.\n"
@@ -281,10 +283,11 @@ std::string landmarks(const std::vector<Reproduction>& all) {
            object("claims", all, &Reproduction::claims, "id", "claim");
 }
 
-std::string sentence(const std::vector<Reproduction>& all) {
+std::string sentence(const std::vector<Reproduction>& all, bool own) {
     Tally tally;
-    for (const Reproduction& reproduction : all) tally = tally + report::tally(reproduction.verdicts);
-    return in_a_sentence(tally) + "\n";
+    for (const Reproduction& reproduction : all)
+        if (reproduction.paper.own == own) tally = tally + report::tally(reproduction.verdicts);
+    return in_a_sentence(tally, own) + "\n";
 }
 
 std::string items(const std::vector<Reproduction>& all) {

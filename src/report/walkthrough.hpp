@@ -36,8 +36,8 @@ std::string tests_page(const std::vector<Reproduction>& all);
 /// pages and their search.
 std::string landmarks(const std::vector<Reproduction>& all);
 
-/// The verdicts on all papers in one sentence.
-std::string sentence(const std::vector<Reproduction>& all);
+/// The verdicts on all papers in one sentence, or those on texts of our own.
+std::string sentence(const std::vector<Reproduction>& all, bool own = false);
 
 /// What the papers hold: command, output, source and verdicts of each item of paper/items.csv.
 /// \throws base::FailedComputation for an item of no paper

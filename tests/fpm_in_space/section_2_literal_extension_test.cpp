@@ -11,7 +11,6 @@
 
 #include "asprone2010/section_4_second_order_fpm.hpp"
 #include "fpm_in_space/formulations.hpp"
-#include "fpm_in_space/local_conditions.hpp"
 #include "solvers/spectrum.hpp"
 #include "tests/clouds.hpp"
 #include "tests/polynomial.hpp"
@@ -78,14 +77,14 @@ double median_error(std::string_view name, Index n) {
 }
 
 /// Largest condition of the local systems on the square.
-double largest_condition(std::string_view name, Index n, double a) {
+double largest_condition(Table<double> kernels(const Neighbourhood<double, 2>&), Index n, double a) {
     const Cloud<2> cloud = square(n, a);
     double most = 0;
-    for (Index i = 0; i < cloud.size(); ++i)
-        most = std::max(most,
-                        local_conditions::largest(
-                            name, particles::neighbourhood(cloud, smoothing(n), i,
-                                                           particles::within_reach(cloud, smoothing(n), i))));
+    for (Index i = 0; i < cloud.size(); ++i) {
+        const auto near =
+            particles::neighbourhood(cloud, smoothing(n), i, particles::within_reach(cloud, smoothing(n), i));
+        most = std::max(most, literal_extension::condition(literal_extension::matrix(kernels(near), near)));
+    }
     return most;
 }
 
@@ -231,11 +230,17 @@ TEST_CASE("(F7), (F9): on particles perturbed by δ/4 the error of D² stays abo
 }
 
 TEST_CASE("(F9), (F7): the local systems of some edge are nearly singular, of (F9) on a grid already") {
-    CHECK(largest_condition("literal_second_order_fpm", 21, 0) > 1e5);
-    CHECK(largest_condition("literal_second_order_fpm", 21, 0.25) > 1e5);
-    CHECK(largest_condition("literal_modified_fpm", 21, 0.25) > 1e3);
-    CHECK(largest_condition("literal_fpm_by_derivatives", 21, 0.25) < 1e3);
-    CHECK(largest_condition("definite_fpm", 21, 0.25) < 1e4);
+    namespace literal = literal_extension;
+    CHECK(largest_condition(literal::corrected_kernels, 21, 0) > 1e5);
+    CHECK(largest_condition(literal::corrected_kernels, 21, 0.25) > 1e5);
+    CHECK(largest_condition(literal::harmonic_kernels, 21, 0.25) > 1e3);
+    CHECK(largest_condition(literal::kernel_derivatives, 21, 0.25) < 1e3);
+}
+
+TEST_CASE("literal extension: the condition of a matrix is that of its singular values") {
+    Table<double> A(3, 3);
+    A << 0, 2, 0, 0, 0, -100, 8, 0, 0;
+    CHECK(literal_extension::condition(A) == doctest::Approx(50).epsilon(1e-12));
 }
 
 TEST_CASE(

@@ -8,6 +8,7 @@
 
 #include "asprone2010/claims/ledger.hpp"
 #include "batra2008/claims/ledger.hpp"
+#include "fpm_in_space/claims/ledger.hpp"
 #include "report/file.hpp"
 #include "report/papers.hpp"
 #include "report/source.hpp"
@@ -45,7 +46,8 @@ TEST_CASE(
     "claims: every claim has a computation, every computation a claim, and each names a test that exists") {
     const auto papers = report::papers(words_of("paper/papers.csv"));
     const auto claims = report::by_paper(words_of("paper/claims.csv"), papers);
-    for (const report::Ledger& ledger : {asprone2010::claims::ledger(), batra2008::claims::ledger()}) {
+    for (const report::Ledger& ledger :
+         {asprone2010::claims::ledger(), batra2008::claims::ledger(), fpm_in_space::claims::ledger()}) {
         const report::Table& table = claims.at(ledger.paper);
         CHECK(table.rows.size() == ledger.computations.size());
         for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -64,12 +66,12 @@ TEST_CASE(
     for (std::size_t row = 0; row < claims.rows.size(); ++row) {
         const std::string id = claims.word(row, "id"), section = claims.word(row, "section");
         CAPTURE(id);
-        CHECK((id.starts_with("A-" + section + "-") || id.starts_with("B-" + section + "-")));
-        CHECK(std::regex_match(id, std::regex("[AB]-[0-9.]+-[A-Za-z0-9-]+")));
+        CHECK(id.substr(1).starts_with("-" + section + "-"));
+        CHECK(std::regex_match(id, std::regex("[ABF]-[0-9.]+-[A-Za-z0-9-]+")));
         CHECK(equations.count(id) == 0);
     }
     for (const std::string& equation : equations)
-        CHECK(std::regex_match(equation, std::regex("[AB][0-9.]+")));
+        CHECK(std::regex_match(equation, std::regex("[ABF][0-9.]+")));
     const auto ids = column("paper/claims.csv", "id");
     CHECK(set_of(ids).size() == ids.size());
     auto old_ids = column("paper/claims.csv", "old_id");

@@ -33,11 +33,12 @@ std::map<std::string, std::vector<std::string>> definitions(const Texts& headers
     return files;
 }
 
-/// Does a test case of a file name an equation by its number?
+/// Does a test case of a file name an equation by its number, "(16)", or by its key, "(F7)"?
 bool named(const std::string& equation, const std::string& test_file) {
     const auto names = report::test_cases(test_file);
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-        return name.find("(" + equation.substr(1) + ")") != std::string::npos;
+        return name.find("(" + equation.substr(1) + ")") != std::string::npos ||
+               name.find("(" + equation + ")") != std::string::npos;
     });
 }
 
@@ -60,9 +61,11 @@ std::vector<std::string> complaints(const Table& equations, const Texts& headers
 
 }  // namespace
 
-TEST_CASE("equations: each of the 104 stands once above its code, is named by a test, and has a row") {
+TEST_CASE("equations: each, the papers' 104 among them, stands once above its code, is named by a test, and has a row") {
     const Table equations = report::parsed_words(report::read_whole("paper/equations.csv"));
-    CHECK(equations.rows.size() == 104);
+    CHECK(std::count_if(equations.rows.begin(), equations.rows.end(), [](const auto& row) {
+              return !std::get<std::string>(row.front()).starts_with("F");
+          }) == 104);
     for (const std::string& complaint :
          complaints(equations, texts_below("src", ".hpp"), texts_below("tests", "_test.cpp")))
         FAIL_CHECK(complaint);

@@ -10,9 +10,9 @@ namespace {
 
 std::vector<Paper> two_papers() {
     return papers(
-        parsed_words("letter,paper,citation,conventions,one,if_one,other,if_other\n"
-                     "A,first,First (1901),volumes,equal,volumes are equal,partition,volumes tile\n"
-                     "B,second,\"Second, Third (1902)\",error,dn,E is a difference,nd,E is a norm\n"));
+        parsed_words("letter,paper,citation,own,conventions,one,if_one,other,if_other\n"
+                     "A,first,First (1901),,volumes,equal,volumes are equal,partition,volumes tile\n"
+                     "B,second,\"Second, Third (1902)\",yes,error,dn,E is a difference,nd,E is a norm\n"));
 }
 
 }  // namespace
@@ -24,6 +24,8 @@ TEST_CASE("papers: each has its letter, folder, citation and conventions") {
     const Paper& second = paper_named("second", all);
     CHECK(second.letter == "B");
     CHECK(second.citation == "Second, Third (1902)");
+    CHECK(second.own);
+    CHECK_FALSE(all.front().own);
     CHECK(second.conventions.about == "error");
     CHECK(second.conventions.one.name == "dn");
     CHECK(second.conventions.one.condition == "E is a difference");

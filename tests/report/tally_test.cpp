@@ -27,4 +27,7 @@ TEST_CASE("tally: verdicts are counted, in all or of a section, and said in thre
     CHECK(
         in_a_sentence({9, 2, 1, 0, 3}) ==
         "Of the papers' 12 testable statements, 9 are reproduced, 2 hold under a condition, and 1 differ; 3 more hold by definition.");
+    CHECK(
+        in_a_sentence({9, 2, 1, 0}, true) ==
+        "Of the 12 statements of our own text, 9 are reproduced, 2 hold under a condition, and 1 differ.");
 }

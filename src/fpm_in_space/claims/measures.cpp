@@ -1,0 +1,101 @@
+#include "fpm_in_space/claims/measures.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "particles/operators.hpp"
+#include "report/statistics.hpp"
+#include "solvers/spectrum.hpp"
+
+namespace fpm_in_space::claims {
+
+using particles::Range;
+
+Computation measured_once(const std::function<double()>& number) {
+    return measured([number](auto) { return number(); });
+}
+
+template <int dim>
+std::vector<Errors> errors_by_place(std::string_view formulation, Index n, double perturbation,
+                                    const std::function<Smoothing<double, dim>(double)>& smoothing,
+                                    Index sample, unsigned long seed) {
+    const auto [cloud, on_sides] = derivative_test::body<dim>(n, perturbation, seed);
+    const double spacing = 1 / static_cast<double>(n - 1);
+    std::vector<Errors> by_place;
+    for (const Range& place : on_sides) {
+        const auto found = derivative_test::largest(derivative_test::errors<dim>(
+            formulation_named<double, dim>(formulation), cloud, smoothing(spacing),
+            Column<double>::Constant(1, spacing), derivative_test::exponential_and_wave<dim>,
+            {place.first, std::min(place.last, place.first + sample)}));
+        by_place.push_back({found.first, found.second});
+    }
+    return by_place;
+}
+
+template <int dim>
+std::vector<Errors> median_errors(std::string_view formulation, Index n, double perturbation,
+                                  const std::function<Smoothing<double, dim>(double)>& smoothing,
+                                  Index sample, unsigned long draws) {
+    std::vector<std::vector<Errors>> all;
+    for (unsigned long seed = 1; seed <= draws; ++seed)
+        all.push_back(errors_by_place<dim>(formulation, n, perturbation, smoothing, sample, seed));
+    std::vector<Errors> medians(dim + 1);
+    for (std::size_t place = 0; place <= dim; ++place) {
+        std::vector<double> first, second;
+        for (const auto& draw : all) {
+            first.push_back(draw[place].first);
+            second.push_back(draw[place].second);
+        }
+        medians[place] = {report::quartiles(first).median, report::quartiles(second).median};
+    }
+    return medians;
+}
+
+Errors largest(const std::vector<Errors>& by_place) {
+    Errors most;
+    for (const Errors& each : by_place)
+        most = {std::max(most.first, each.first), std::max(most.second, each.second)};
+    return most;
+}
+
+double order(Index n_1, double error_1, Index n_2, double error_2) {
+    return std::log(error_1 / error_2) /
+           std::log(static_cast<double>(n_2 - 1) / static_cast<double>(n_1 - 1));
+}
+
+template <int dim>
+double least_eigenvalue(std::string_view name) {
+    const Index n = dim == 2 ? 26 : 9;
+    const auto& formulation = formulation_named<double, dim>(name);
+    std::vector<double> least;
+    for (unsigned long seed = 1; seed <= 3; ++seed) {
+        const auto [cloud, on_sides] = derivative_test::body<dim>(n, 0.25, seed);
+        const Range inside = on_sides[0];  // the first of all
+        const auto operators = particles::assemble(cloud, gaussian<dim>(1 / static_cast<double>(n - 1)),
+                                                   formulation.required(), formulation.weights, inside);
+        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(inside.size(), inside.size());
+        for (std::size_t axis = 0; axis < dim; ++axis)
+            K -= Eigen::MatrixXd(operators.D2[axis]).leftCols(inside.size());
+        double lowest = std::numeric_limits<double>::infinity();
+        for (const auto& eigenvalue : solvers::eigenvalues(K)) lowest = std::min(lowest, eigenvalue.real());
+        least.push_back(lowest / (dim * std::numbers::pi * std::numbers::pi));
+    }
+    return report::quartiles(least).median;
+}
+
+#define FPM_IN_SPACE_MEASURES(dim)                                                                          \
+    template std::vector<Errors> errors_by_place(std::string_view, Index, double,                           \
+                                                 const std::function<Smoothing<double, dim>(double)>&,      \
+                                                 Index, unsigned long);                                     \
+    template std::vector<Errors> median_errors(std::string_view, Index, double,                             \
+                                               const std::function<Smoothing<double, dim>(double)>&, Index, \
+                                               unsigned long);                                              \
+    template double least_eigenvalue<dim>(std::string_view);
+FPM_IN_SPACE_MEASURES(2)
+FPM_IN_SPACE_MEASURES(3)
+
+}  // namespace fpm_in_space::claims

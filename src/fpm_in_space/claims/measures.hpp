@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "fpm_in_space/section_4_derivative_test.hpp"
+#include "report/ledger.hpp"
+
+namespace fpm_in_space::claims {
+
+using derivative_test::Body;
+using particles::Column;
+using particles::Index;
+using particles::Smoothing;
+using report::Computation;
+using report::Measurement;
+
+/// A number that is measured in the plane and in space.
+/// \param number a function of the dimension, a std::integral_constant
+template <class Number>
+Computation measured(const Number& number) {
+    return [number](const report::Statement&, std::size_t convention) -> std::vector<Measurement> {
+        if (convention == 0) return {{"", number(std::integral_constant<int, 2>{})}};
+        return {{"", number(std::integral_constant<int, 3>{})}};
+    };
+}
+
+/// A number on which the dimension has no influence.
+Computation measured_once(const std::function<double()>& number);
+
+/// The Gaussian with h = δ.
+template <int dim>
+Smoothing<double, dim> gaussian(double spacing) {
+    return {particles::Gaussian<dim>{}, spacing};
+}
+
+/// The Gaussian with h = 1.2 δ, lowered to zero at 3.5 h in the plane and at 3 h in space.
+template <int dim>
+Smoothing<double, dim> cut_gaussian(double spacing) {
+    return {particles::TruncatedGaussian<dim>(dim == 2 ? 3.5 : 3), 1.2 * spacing};
+}
+
+/// Largest errors of DB and D²B.
+struct Errors {
+    double first = 0, second = 0;
+};
+
+/// The errors of a formulation on a grid of n particles along a side, by the number of sides that a particle
+/// lies on. \param sample at most so many particles of each place \param seed of the perturbation
+template <int dim>
+std::vector<Errors> errors_by_place(std::string_view formulation, Index n, double perturbation,
+                                    const std::function<Smoothing<double, dim>(double)>& smoothing,
+                                    Index sample, unsigned long seed = 1);
+
+/// Median of each over so many draws.
+template <int dim>
+std::vector<Errors> median_errors(std::string_view formulation, Index n, double perturbation,
+                                  const std::function<Smoothing<double, dim>(double)>& smoothing,
+                                  Index sample, unsigned long draws);
+
+/// Largest of all places.
+Errors largest(const std::vector<Errors>& by_place);
+
+/// Observed order from errors with \f$n_1\f$ and \f$n_2\f$ particles along a side.
+double order(Index n_1, double error_1, Index n_2, double error_2);
+
+/// Least real part of the eigenvalues of \f$-\Delta u = \lambda u\f$ on the square or the cube, held at its
+/// sides, over the lowest exact one: median over three draws of particles perturbed by δ/4.
+template <int dim>
+double least_eigenvalue(std::string_view formulation);
+
+}  // namespace fpm_in_space::claims
