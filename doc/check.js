@@ -52,7 +52,7 @@ async function look(page, frame) {
     for (const [section, names] of Object.entries(inCode))
         for (const name of page.endsWith("_1_1" + section.replace(/_/g, "__") + ".html") ? names : [])
             if (![...shown.querySelectorAll(".fragment a.code")].some((link) => link.textContent === name)) complain(name + " is no link in its code");
-    if (/^namespace(asprone2010|batra2008)_1_1/.test(page) && shown.querySelector(`#contents .here[href="${page}"]`) && shown.querySelectorAll(".turn a").length < 4)
+    if (/^namespace(asprone2010|batra2008|fpm__in__space)_1_1/.test(page) && shown.querySelector(`#contents .here[href="${page}"]`) && shown.querySelectorAll(".turn a").length < 4)
         complain("previous or next section is missing");
 
     for (const width of [390, ...widths]) {

@@ -50,6 +50,8 @@ fpm_in_space/rows      = $(bin)/derivative_test_in_space --layout $(around_the_h
                          --function 'log(x^2+y^2)/2' --states
 fpm_in_space/layouts   = $(bin)/hole --method strong --draws 25 --quality
 
+fpm_in_space/claims    = $(bin)/claims --paper fpm_in_space
+
 # The names of the variables above are the list of tables; the one that takes longest is begun first.
 tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
 ledger := $(filter %/claims.csv %/choices.csv,$(tables))

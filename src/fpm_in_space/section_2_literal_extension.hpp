@@ -20,10 +20,10 @@ namespace fpm_in_space {
 /// first answer as the paper corrects its one, \eq{F9}.
 ///
 /// None of the three is of use. On a grid \eq{F9} is of second order, with errors at the edges thousands of
-/// times those of Section 1; on particles that lie irregularly, neither it nor \eq{F7} converges there: their
-/// matrices are nearly singular. \eq{F8} is of first order everywhere, but a membrane has eigenvalues of the
-/// wrong sign. All these matrices are neither Gram matrices nor Schur complements of one, so that nothing
-/// keeps them away from singular ones.
+/// times those of Section 1. On particles that lie irregularly the determinants of \eq{F7} and \eq{F9} pass
+/// through zero at edges, and a few particles have errors of any size. \eq{F8} is of first order everywhere,
+/// but a membrane has eigenvalues of the wrong sign. The matrices are neither Gram matrices nor Schur
+/// complements of one: nothing keeps them away from singular ones.
 ///
 /// | symbol | code | meaning |
 /// | --- | --- | --- |

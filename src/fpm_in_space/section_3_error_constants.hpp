@@ -64,6 +64,8 @@ namespace fpm_in_space {
 /// derivatives.
 ///
 /// \image html fpm_in_space_figure_symbol.svg "Frequencies of waves over the exact ones: along an axis, along the diagonal, and in the plane of phases."
+///
+/// What this section claims, and what was measured: \claims{F-3}.
 namespace error_constants {
 
 using base::shown;
@@ -265,7 +267,7 @@ int signed_binomial(const Exponents<dim>& b, const Exponents<dim>& c) {
 }
 
 /// The factor of \f$\delta^{|b|-|a|}\,\partial^b B\f$ in the error of a row of \f$\partial^a\f$. From
-/// Taylor's expansion of B,
+/// Taylor's expansion of B. \defeq{F10}
 /// \f[ \sum_j w_j\,[B(x_j) - B(x_i)] - \partial^a B(x_i)
 ///     = \sum_{|b| \ge 1} \Big(\frac{m_b}{b!} - \delta_{ab}\Big)\,\delta^{|b|-|a|}\,\partial^b B(x_i)
 ///     \tag{F10} \f]
@@ -284,6 +286,7 @@ struct LeadingError {
 };
 
 /// The leading error of a row: of the lowest degree whose Taylor coefficients do not all vanish.
+/// \defeq{F11}
 /// \f[ C_{ab} = \frac{m_b}{b!} - \delta_{ab}, \qquad |b| = |a| + p \tag{F11} \f]
 /// \param a derivative that the row approximates
 /// \throws base::FailedComputation where all coefficients up to degree 8 vanish
@@ -319,7 +322,7 @@ Scalar scaled_error(const Stencil<Scalar, dim>& stencil, const MultiIndex<dim>& 
 }
 
 /// The leading error for \f$B = e^{c \cdot (x - x_i)}\f$ as it shows: the scaled error at six spacings,
-/// extrapolated to δ = 0.
+/// extrapolated to δ = 0. \defeq{F12}
 /// \f[ P(c) = \lim_{\delta \to 0} \delta^{-p} \Big( \delta^{-|a|} \sum_j w_j\,[e^{\delta\,c \cdot r_j} - 1]
 ///     - c^a \Big) = \sum_{|b| = |a| + p} C_{ab}\,c^b \tag{F12} \f]
 template <class Scalar, int dim>
@@ -367,6 +370,7 @@ Scalar amplification(const Stencil<Scalar, dim>& stencil) {
 /// The symbol of a row on an infinite lattice: the eigenvalue, times \f$\delta^{|a|}\f$, of a wave that
 /// advances by \f$\theta_k\f$ radians from one particle to the next along axis k. For the Laplacian the exact
 /// one is \f$-|\theta|^2\f$. Its imaginary part vanishes, since the row is even.
+/// \defeq{F13}
 /// \f[ \lambda(\theta) = \sum_j w_j\,(\cos\theta \cdot r_j - 1) \tag{F13} \f]
 template <class Scalar, int dim>
 Scalar symbol(const Stencil<Scalar, dim>& stencil, const Point<dim, Scalar>& theta) {

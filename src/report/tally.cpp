@@ -54,8 +54,9 @@ std::string in_a_sentence(const Tally& tally, bool own) {
     const std::string count = std::to_string(tally.claims());
     return (own ? "Of the " + count + " statements of our own text, "
                 : "Of the papers' " + count + " testable statements, ") +
-           std::to_string(reproduced) + " are reproduced, " + std::to_string(conditional) +
-           " hold under a condition, and " + std::to_string(differ) + " differ" +
+           std::to_string(reproduced) + (reproduced == 1 ? " is" : " are") + " reproduced, " +
+           std::to_string(conditional) + (conditional == 1 ? " holds" : " hold") +
+           " under a condition, and " + std::to_string(differ) + (differ == 1 ? " differs" : " differ") +
            (undecided > 0 ? "; " + std::to_string(undecided) + " could not be decided" : "") +
            (definitions > 0 ? "; " + std::to_string(definitions) + " more hold by definition." : ".");
 }

@@ -91,7 +91,8 @@ double difference_from_ssph() {
 
 }  // namespace
 
-TEST_CASE("second-order FPM in space, (F1), (F5), (F6): D² is exact on cubics and D on quadratics, on irregular particles") {
+TEST_CASE(
+    "second-order FPM in space, (F1), (F5), (F6): D² is exact on cubics and D on quadratics, on irregular particles") {
     in_every_dimension([](auto dimension) {
         constexpr int dim = dimension;
         const Cloud<dim> cloud = irregular<dim>();
@@ -120,7 +121,8 @@ TEST_CASE(
     CHECK(difference_from_ssph<Quad, 3>() < 1e-25);
 }
 
-TEST_CASE("second-order FPM in space, (F2), (F3), (F4): corrections have no odd moments, and the matrix is symmetric") {
+TEST_CASE(
+    "second-order FPM in space, (F2), (F3), (F4): corrections have no odd moments, and the matrix is symmetric") {
     in_every_dimension([](auto dimension) {
         constexpr int dim = dimension;
         const auto near = random_neighbourhood<double, dim>(10 * terms<dim, 3>, dim, 5);

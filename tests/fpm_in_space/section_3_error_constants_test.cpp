@@ -89,7 +89,7 @@ TEST_CASE("error constants: multi-indices of a degree in the order of their deri
           std::vector<Exponents<3>>{{1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1, 0}, {0, 1, 1}});
 }
 
-TEST_CASE("F10: the coefficients of differences on few points are those of the textbooks") {
+TEST_CASE("(F10): the coefficients of differences on few points are those of the textbooks") {
     CHECK(moment<Quad, 2>(second, {2, 0}) == 2);
     CHECK(moment<Quad, 2>(second, {0, 2}) == 0);
     CHECK(taylor_coefficient<Quad, 2>(second, {2, 0}, {2, 0}) == 0);
@@ -99,7 +99,7 @@ TEST_CASE("F10: the coefficients of differences on few points are those of the t
           relative(1.0 / 6, 1e-15));
 }
 
-TEST_CASE("F11: the leading error is that of the lowest degree that has any") {
+TEST_CASE("(F11): the leading error is that of the lowest degree that has any") {
     const auto error = leading_error<Quad, 2>(second, {2, 0});
     CHECK(error.exponent == 2);
     CHECK(error.b == of_degree<2>(4));
@@ -110,7 +110,7 @@ TEST_CASE("F11: the leading error is that of the lowest degree that has any") {
     CHECK(leading_error<Quad, 2>(none, {2, 0}).C[0] == -1);
 }
 
-TEST_CASE("F12: exponentials show the constants of differences on few points") {
+TEST_CASE("(F12): exponentials show the constants of differences on few points") {
     for (const double d : {0.5, 0.1}) {
         const double exact = (2 * std::cosh(2 * d) - 2) / (d * d) - 4;
         CHECK(static_cast<double>(scaled_error<Quad, 2>(second, {2, 0}, {2, 3}, d, 2)) ==
@@ -124,7 +124,8 @@ TEST_CASE("F12: exponentials show the constants of differences on few points") {
         CHECK(std::abs(static_cast<double>(C[k]) - expected.at(static_cast<std::size_t>(k))) < 1e-14);
 }
 
-TEST_CASE("F12: what exponentials show is what the moments say, at all places of the plane, to ten digits") {
+TEST_CASE(
+    "(F12): what exponentials show is what the moments say, at all places of the plane, to ten digits") {
     for (const std::string_view name : {"definite_fpm", "ssph", "cubic_ssph"})
         for (int bounded = 0; bounded <= 2; ++bounded) {
             const auto all = rows_of<2>(name, bounded);
@@ -136,7 +137,7 @@ TEST_CASE("F12: what exponentials show is what the moments say, at all places of
         }
 }
 
-TEST_CASE("F11: exponents of the formulations, inside and at the boundary") {
+TEST_CASE("(F11): exponents of the formulations, inside and at the boundary") {
     for (int bounded = 0; bounded <= 3; ++bounded) {
         CHECK(leading<3>("definite_fpm", bounded, {1, 0, 0}).exponent == 2);
         CHECK(leading<3>("definite_fpm", bounded, {2, 0, 0}).exponent == 2);
@@ -204,14 +205,15 @@ void check_products(std::string_view name, int m) {
 
 }  // namespace
 
-TEST_CASE("F11: constants of SSPH are products of the orthogonal polynomials of a line and of half a line") {
+TEST_CASE(
+    "(F11): constants of SSPH are products of the orthogonal polynomials of a line and of half a line") {
     check_products<2>("ssph", 2);
     check_products<2>("cubic_ssph", 3);
     check_products<3>("ssph", 2);
     check_products<3>("cubic_ssph", 3);
 }
 
-TEST_CASE("F11: constants of the second-order FPM inside, in sums over a line") {
+TEST_CASE("(F11): constants of the second-order FPM inside, in sums over a line") {
     const double m_0 = sum(0), m_2 = sum(2), m_4 = sum(4), m_6 = sum(6);
     const double own = m_4 * m_0, other = m_2 * m_2, det = own * own - other * other;
     const auto check = [](const Exponents<2>& a, const Exponents<2>& b, double expected) {
@@ -225,7 +227,8 @@ TEST_CASE("F11: constants of the second-order FPM inside, in sums over a line") 
     check({2, 0}, {0, 4}, (m_4 * m_2 * own - m_6 * m_0 * other) / det / 12);
 }
 
-TEST_CASE("F11: across a face, D² of the second-order FPM errs as on a line, four times as much as inside") {
+TEST_CASE(
+    "(F11): across a face, D² of the second-order FPM errs as on a line, four times as much as inside") {
     Neighbourhood<Quad, 1> line;  // beginning at the particle
     line.r = Column<Quad>::LinSpaced(7, 0, 6);
     line.W = (-line.r.square()).exp();
@@ -244,7 +247,7 @@ TEST_CASE("F11: across a face, D² of the second-order FPM errs as on a line, fo
 }
 
 TEST_CASE(
-    "F11: at a corner, D² of the second-order FPM and of SSPH of degree 3 have nearly the same constants") {
+    "(F11): at a corner, D² of the second-order FPM and of SSPH of degree 3 have nearly the same constants") {
     const auto differ = [](int bounded, const Exponents<2>& a) {
         const auto ours = leading<2>("definite_fpm", bounded, a),
                    theirs = leading<2>("cubic_ssph", bounded, a);
@@ -256,7 +259,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "F11: no constant is larger than that across a face, but a thousandfold ones by the literal extension") {
+    "(F11): no constant is larger than that across a face, but a thousandfold ones by the literal extension") {
     double largest = 0;
     for (int bounded = 0; bounded <= 3; ++bounded) {
         const auto all = rows_of<3>("definite_fpm", bounded);
@@ -269,7 +272,7 @@ TEST_CASE(
     CHECK(constant<2>("literal_second_order_fpm", 1, {2, 0}, {0, 4}) > 1000 * largest);
 }
 
-TEST_CASE("F11: a mirrored corner has the same constants, odd ones with the other sign") {
+TEST_CASE("(F11): a mirrored corner has the same constants, odd ones with the other sign") {
     const auto& formulation = formulation_named<Quad, 2>("definite_fpm");
     auto near = neighbourhood<Quad>(Lattice<2>{{}, 1, 2});
     near.r.col(0) *= -1;
@@ -286,7 +289,8 @@ TEST_CASE("F11: a mirrored corner has the same constants, odd ones with the othe
     }
 }
 
-TEST_CASE("F11: derivatives that an exchange of coordinates turns into one another have the same constants") {
+TEST_CASE(
+    "(F11): derivatives that an exchange of coordinates turns into one another have the same constants") {
     const auto one = leading<2>("definite_fpm", 2, {2, 0}), other = leading<2>("definite_fpm", 2, {0, 2});
     CHECK(static_cast<double>((one.C - other.C.reverse()).abs().maxCoeff()) < 1e-20);
 }
@@ -344,18 +348,18 @@ void check_grids(const Point<dim>& c) {
 }  // namespace
 
 TEST_CASE(
-    "F11: on grids in double precision, errors inside, at faces, edges and corners approach the constants") {
+    "(F11): on grids in double precision, errors inside, at faces, edges and corners approach the constants") {
     check_grids<2>({1, 0.5});
     check_grids<3>({1, 0.5, 0.7});
 }
 
-TEST_CASE("F13: the symbol of five points is 2 cos θ₁ + 2 cos θ₂ − 4") {
+TEST_CASE("(F13): the symbol of five points is 2 cos θ₁ + 2 cos θ₂ − 4") {
     for (const double t : {0.1, 1.0, 3.0})
         CHECK(static_cast<double>(symbol(five_points, Point<2, Quad>(t, 2 * t))) ==
               relative(2 * std::cos(t) + 2 * std::cos(2 * t) - 4, 1e-14));
 }
 
-TEST_CASE("F13: the error of long waves has the constants of the Laplacian") {
+TEST_CASE("(F13): the error of long waves has the constants of the Laplacian") {
     const double t = 1e-3;
     const double axis =
         constant<2>("definite_fpm", 0, {2, 0}, {4, 0}) + constant<2>("definite_fpm", 0, {2, 0}, {0, 4});
@@ -364,7 +368,7 @@ TEST_CASE("F13: the error of long waves has the constants of the Laplacian") {
     CHECK(symbol_at("definite_fpm", 1, t, t) == relative(-2 * t * t * (1 - diagonal * t * t), 1e-11));
 }
 
-TEST_CASE("F13: the second-order FPM gives every wave a frequency, SSPH nearly none to the shortest") {
+TEST_CASE("(F13): the second-order FPM gives every wave a frequency, SSPH nearly none to the shortest") {
     const auto least = [](std::string_view name, double smoothing) {
         const auto row = laplacian(rows_of<2>(name, 0, smoothing));
         double found = 1;
@@ -385,7 +389,7 @@ TEST_CASE("F13: the second-order FPM gives every wave a frequency, SSPH nearly n
     CHECK(symbol_at("ssph", 1.5, 1, 2) == relative(symbol_at("cubic_ssph", 1.5, 1, 2), 1e-12));
 }
 
-TEST_CASE("F13: short waves are slower along the diagonal than along an axis; in space, too, all advance") {
+TEST_CASE("(F13): short waves are slower along the diagonal than along an axis; in space, too, all advance") {
     for (const std::string_view name : {"definite_fpm", "ssph", "cubic_ssph"})
         for (const double length : {1.0, 2.0, 3.0})
             CHECK(symbol_at(name, 1, length, 0) <

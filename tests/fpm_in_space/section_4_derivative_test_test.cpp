@@ -46,7 +46,7 @@ std::vector<AtParticle> largest_errors(Index n, double perturbation, unsigned lo
 
 }  // namespace
 
-TEST_CASE("derivative test in space: the function's derivatives are those of its differences") {
+TEST_CASE("derivative test in space, (F14): the function's derivatives are those of its differences") {
     in_plane_and_space([](auto dimension) {
         constexpr int dim = dimension;
         const Point<dim> x = Point<3>(0.3, 0.6, 0.9).head<dim>();
@@ -88,7 +88,8 @@ TEST_CASE("derivative test in space: particles are counted by the sides that the
     CHECK(place_name<3>(3) == "corner");
 }
 
-TEST_CASE("derivative test in space: perturbed particles keep to their sides, and the seed decides them") {
+TEST_CASE(
+    "derivative test in space, (F15): perturbed particles keep to their sides, and the seed decides them") {
     in_plane_and_space([](auto dimension) {
         constexpr int dim = dimension;
         const Body<dim> moved = body<dim>(7, 0.25, 3), again = body<dim>(7, 0.25, 3),
@@ -109,7 +110,7 @@ TEST_CASE("derivative test in space: perturbed particles keep to their sides, an
     });
 }
 
-TEST_CASE("derivative test in space: largest errors on grids are those of a calculation in NumPy (F16)") {
+TEST_CASE("derivative test in space, (F16): largest errors on grids are those of a calculation in NumPy") {
     const Body<2> square = body<2>(31, 0, 1);
     const Smoothing<double, 2> smoothing(particles::Gaussian<2>{}, 1.0 / 30);
     const auto error = [&](const char* formulation) {

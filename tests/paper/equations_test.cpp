@@ -61,7 +61,8 @@ std::vector<std::string> complaints(const Table& equations, const Texts& headers
 
 }  // namespace
 
-TEST_CASE("equations: each, the papers' 104 among them, stands once above its code, is named by a test, and has a row") {
+TEST_CASE(
+    "equations: each, the papers' 104 among them, stands once above its code, is named by a test, and has a row") {
     const Table equations = report::parsed_words(report::read_whole("paper/equations.csv"));
     CHECK(std::count_if(equations.rows.begin(), equations.rows.end(), [](const auto& row) {
               return !std::get<std::string>(row.front()).starts_with("F");

@@ -128,7 +128,7 @@ TEST_CASE("walkthrough: pages are divided by paper, though sections have equal n
     for (const char* file : {"README.md", "doc/walkthrough.md"})
         CHECK(in_order(
             project.read(file),
-            {"Of the papers' 2 testable statements, 1 are reproduced, 0 hold under a condition, and 1 differ. The error is 1.5, all 1 sums."}));
+            {"Of the papers' 2 testable statements, 1 is reproduced, 0 hold under a condition, and 1 differs. The error is 1.5, all 1 sums."}));
     CHECK(in_order(project.read("doc/reproduction.md"),
                    {"| Sums |", "[a.csv](../a.csv)", "1 of 1 reproduced", "| Basis |", "1 differs"}));
     for (const char* page : {"equations", "claims", "choices"})

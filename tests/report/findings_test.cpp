@@ -19,7 +19,8 @@ std::vector<Reproduction> two_claims() {
         "A-3-c,order of DB,-0.0002625,1,0.99949,holds only if h is larger\n");
     Reproduction own = one;
     own.paper.own = true;
-    own.verdicts = report::parsed_words("id,quantity,measured_equal,conditional,verdict\nC-1-a,error,1,,differs\n");
+    own.verdicts =
+        report::parsed_words("id,quantity,measured_equal,conditional,verdict\nC-1-a,error,1,,differs\n");
     return {one, own};
 }
 
@@ -31,9 +32,9 @@ TEST_CASE("findings: braces become what was measured, with its condition, and co
           "order 1.5, else 0.1 or 1.001.");
     CHECK(with_numbers("{count A-2-a}, {count A-2} hold", all) == "all 1, 1 of 2 hold");
     CHECK(with_numbers("{verdicts}", all) ==
-          "Of the papers' 3 testable statements, 1 are reproduced, 2 hold under a condition, and 0 differ.");
+          "Of the papers' 3 testable statements, 1 is reproduced, 2 hold under a condition, and 0 differ.");
     CHECK(with_numbers("{own verdicts}", all) ==
-          "Of the 1 statements of our own text, 0 are reproduced, 0 hold under a condition, and 1 differ.");
+          "Of the 1 statements of our own text, 0 are reproduced, 0 hold under a condition, and 1 differs.");
     CHECK(with_numbers("no brace", all) == "no brace");
     CHECK(with_numbers("{A-3-c}, {A-3-c conditional}", all) == "0, 0.999");  // orders, to a thousandth
 }

@@ -9,7 +9,7 @@ using namespace report;
 namespace {
 
 const Paper paper{
-    "A", "first", "First (1901)", {"volumes", {"equal", "volumes are equal"}, {"tiled", "they tile"}}};
+    "A", "first", "First (1901)", false, {"volumes", {"equal", "volumes are equal"}, {"tiled", "they tile"}}};
 
 /// A computation that measures one number under the first convention and another under the second.
 Computation measuring(double one, double other) {

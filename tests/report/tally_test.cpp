@@ -19,15 +19,15 @@ TEST_CASE("tally: verdicts are counted, in all or of a section, and said in thre
     CHECK(in_brief(tally(verdicts, "4")) == "0 of 0 reproduced, 1 by definition");
     CHECK(in_brief(tally(verdicts, "6")).empty());
     CHECK(in_brief(tally({"differs", "differs"})) == "0 of 2 reproduced, 2 differ");
-    CHECK(in_a_sentence({9, 2, 1, 0}) ==
-          "Of the papers' 12 testable statements, 9 are reproduced, 2 hold under a condition, and 1 differ.");
+    CHECK(
+        in_a_sentence({9, 2, 1, 0}) ==
+        "Of the papers' 12 testable statements, 9 are reproduced, 2 hold under a condition, and 1 differs.");
     CHECK(
         in_a_sentence({9, 2, 4, 1}) ==
         "Of the papers' 16 testable statements, 9 are reproduced, 2 hold under a condition, and 4 differ; 1 could not be decided.");
     CHECK(
         in_a_sentence({9, 2, 1, 0, 3}) ==
-        "Of the papers' 12 testable statements, 9 are reproduced, 2 hold under a condition, and 1 differ; 3 more hold by definition.");
-    CHECK(
-        in_a_sentence({9, 2, 1, 0}, true) ==
-        "Of the 12 statements of our own text, 9 are reproduced, 2 hold under a condition, and 1 differ.");
+        "Of the papers' 12 testable statements, 9 are reproduced, 2 hold under a condition, and 1 differs; 3 more hold by definition.");
+    CHECK(in_a_sentence({9, 2, 1, 0}, true) ==
+          "Of the 12 statements of our own text, 9 are reproduced, 2 hold under a condition, and 1 differs.");
 }

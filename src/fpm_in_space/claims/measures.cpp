@@ -25,12 +25,14 @@ std::vector<Errors> errors_by_place(std::string_view formulation, Index n, doubl
                                     Index sample, unsigned long seed) {
     const auto [cloud, on_sides] = derivative_test::body<dim>(n, perturbation, seed);
     const double spacing = 1 / static_cast<double>(n - 1);
+    std::vector<Range> places;
+    for (const Range& place : on_sides)
+        places.push_back({place.first, std::min(place.last, place.first + sample)});
     std::vector<Errors> by_place;
-    for (const Range& place : on_sides) {
-        const auto found = derivative_test::largest(derivative_test::errors<dim>(
-            formulation_named<double, dim>(formulation), cloud, smoothing(spacing),
-            Column<double>::Constant(1, spacing), derivative_test::exponential_and_wave<dim>,
-            {place.first, std::min(place.last, place.first + sample)}));
+    for (const auto& of_place : derivative_test::errors<dim>(
+             formulation_named<double, dim>(formulation), cloud, smoothing(spacing),
+             Column<double>::Constant(1, spacing), derivative_test::exponential_and_wave<dim>, places)) {
+        const auto found = derivative_test::largest(of_place);
         by_place.push_back({found.first, found.second});
     }
     return by_place;

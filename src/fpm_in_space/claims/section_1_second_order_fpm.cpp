@@ -43,7 +43,7 @@ double relative_error(int order) {
     const auto [cloud, on_sides] = irregular<dim>();
     const auto found = derivative_test::largest(derivative_test::errors<dim>(
         formulation_named<double, dim>("definite_fpm"), cloud, gaussian<dim>(cloud.spacing()),
-        Column<double>::Constant(1, cloud.spacing()), polynomial<dim, degree>, {0, cloud.size()}));
+        Column<double>::Constant(1, cloud.spacing()), polynomial<dim, degree>, {{0, cloud.size()}})[0]);
     double size = 0;
     for (const Exponents<dim>& a : particles::monomials<dim, 2>())
         if (particles::order<dim>(a) == order)
