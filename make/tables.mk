@@ -65,6 +65,8 @@ $(foreach table,$(tables),$(eval $(table): $(call program_of,$(table))))
 $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 # The claims about the hole are decided on the family of layouts.
 data/batra2008/claims.csv: data/batra2008/layouts.csv
+# Those about the quality number, on tables of derivatives and of solutions.
+data/fpm_in_space/claims.csv: data/fpm_in_space/rows.csv data/fpm_in_space/layouts.csv
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	rm -f $@.tmp.*

@@ -1,12 +1,16 @@
 #include "fpm_in_space/section_4_derivative_test.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 #include <vector>
 
 #include "fpm_in_space/claims/ledger.hpp"
 #include "fpm_in_space/claims/measures.hpp"
+#include "report/read_table.hpp"
 
 namespace fpm_in_space::claims {
 
@@ -76,6 +80,44 @@ Errors errors_of_61() {
     return largest(errors_by_place<2>("definite_fpm", 61, 0, gaussian<2>, 61 * 61));
 }
 
+/// Spearman's rank correlation.
+double rank_correlation(const std::vector<double>& one, const std::vector<double>& other) {
+    std::vector<double> work(2 * one.size());
+    return gsl_stats_spearman(one.data(), 1, other.data(), 1, one.size(), work.data());
+}
+
+/// Of R with the error over the scale of the remainder for ln r, at the particles of
+/// data/fpm_in_space/rows.csv; then of R times the scale with the error.
+std::vector<Measurement> correlations_at_particles() {
+    const report::Table table = report::read_table("data/fpm_in_space/rows.csv");
+    std::vector<double> R, scaled_error, bound, error;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        if (table.word(row, "formulation") != "definite_fpm") continue;
+        const auto value = [&](const char* column) {
+            return std::get<double>(table.rows[row][table.column(column)]);
+        };
+        const double squared_r = value("x") * value("x") + value("y") * value("y");
+        const double scale = 6 * value("spacing") * value("spacing") / (squared_r * squared_r);
+        R.push_back(value("quality"));
+        scaled_error.push_back(value("error_second") / scale);
+        bound.push_back(value("quality") * scale);
+        error.push_back(value("error_second"));
+    }
+    return {{"", rank_correlation(R, scaled_error)},
+            {"the size of the fourth derivatives is known, too", rank_correlation(bound, error)}};
+}
+
+/// Of the largest R with the error of the solution, on the layouts of data/fpm_in_space/layouts.csv.
+double correlation_on_layouts() {
+    const report::Table table = report::read_table("data/fpm_in_space/layouts.csv");
+    std::vector<double> R, error;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        R.push_back(std::get<double>(table.rows[row][table.column("quality")]));
+        error.push_back(std::get<double>(table.rows[row][table.column("log_error_nd")]));
+    }
+    return rank_correlation(R, error);
+}
+
 }  // namespace
 
 report::Computations section_4() {
@@ -91,6 +133,9 @@ report::Computations section_4() {
         // Errors with 61² particles
         {"F-4-numpy-D2", measured_once([] { return errors_of_61().second; })},
         {"F-4-numpy-D", measured_once([] { return errors_of_61().first; })},
+        // Does R predict the error? On tables of derivatives and of solutions
+        {"F-4-quality", [](const report::Statement&, std::size_t) { return correlations_at_particles(); }},
+        {"F-4-quality-solution", measured_once(correlation_on_layouts)},
         // Least eigenvalue of a membrane
         {"F-4-membrane", measured([](auto dim) { return least_eigenvalue<dim>("definite_fpm"); })},
     };
