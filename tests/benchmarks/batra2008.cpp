@@ -1,6 +1,7 @@
 #include <cmath>
 #include <memory>
 
+#include "batra2008/basis_at.hpp"
 #include "batra2008/section_4_1_plate.hpp"
 #include "batra2008/section_4_example_problems.hpp"
 #include "tests/benchmarks/report.hpp"

@@ -65,6 +65,9 @@ report::Table table(const std::map<std::string, double>& nanoseconds, const std:
                   {"bytes", {0.01, 0}},
                   {"limit_bandwidth", {0.01, 0}},
                   {"limit_exp", {0.01, 0}}};
+    const bool counted = std::any_of(order.begin(), order.end(),
+                                     [](const std::string& name) { return tasks().at(name).operations > 0; });
+    if (counted) of.columns.push_back({"operations", {0.01, 0}});
     for (const std::string& name : order) {
         const auto found = nanoseconds.find(name);
         if (found == nanoseconds.end()) continue;
@@ -76,6 +79,9 @@ report::Table table(const std::map<std::string, double>& nanoseconds, const std:
              task.bytes > 0 ? report::Cell(task.bytes) : report::Cell(),
              limited && task.bytes > 0 ? report::Cell(task.bytes * per_byte) : report::Cell(),
              limited && task.exponentials > 0 ? report::Cell(task.exponentials * per_exp) : report::Cell()});
+        if (!counted) continue;
+        of.rows.back().emplace_back();
+        if (task.operations > 0) of.rows.back().back() = task.operations;
     }
     return of;
 }
@@ -100,7 +106,7 @@ void add(const Task& task, const std::function<std::function<void()>()>& prepare
 
 }  // namespace benchmarks
 
-/// bench --part PAPER --most-1d N --most-2d N --output FILE [Google Benchmark's options]
+/// bench --part TEXT --most-1d N --most-2d N --output FILE [Google Benchmark's options]
 int main(int argc, char** argv) {
     solvers::use_one_blas_thread();
 
@@ -118,6 +124,8 @@ int main(int argc, char** argv) {
     benchmarks::add_limits();
     if (option["--part"] == "asprone2010")
         benchmarks::add_asprone2010(std::stol(option["--most-1d"]));
+    else if (option["--part"] == "fpm_in_space")
+        benchmarks::add_fpm_in_space();
     else
         benchmarks::add_batra2008(std::stol(option["--most-2d"]));
 

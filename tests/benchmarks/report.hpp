@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-/// Benchmarks of the two papers, and what limits them.
+/// Benchmarks of the papers and of the text on FPM in space, and what limits them.
 namespace benchmarks {
 
 /// One piece of work on so many particles.
@@ -17,6 +17,7 @@ struct Task {
     double bytes = 0;         ///< that a particle's share of the result takes, or that it must move
     double exponentials = 0;  ///< that a particle needs
     bool once = false;        ///< too long to be repeated
+    double operations = 0;    ///< that a particle needs, if they were counted
 };
 
 /// Registers a piece of work. \param prepare makes what is to be timed; it is called once, before
@@ -28,5 +29,7 @@ void add_limits();
 void add_asprone2010(long most);
 /// The basis and methods of Batra and Zhang (2008).
 void add_batra2008(long most);
+/// The weights of the formulations in the plane and in space, with the operations that they take.
+void add_fpm_in_space();
 
 }  // namespace benchmarks
