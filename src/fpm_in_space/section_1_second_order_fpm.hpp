@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "batra2008/section_2_ssph_basis.hpp"
 #include "particles/local_system.hpp"
 #include "particles/multi_index.hpp"
@@ -40,13 +43,16 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// | --- | --- | --- |
 /// | \f$r = (x_j - x_i)/h\f$ | `near.r` | offset of a neighbour, in units of h |
 /// | \f$r^a,\ a!,\ \partial^a\f$ | `Exponents`, `factorial` | monomial, factorial and derivative of a multi-index |
-/// | \f$p_1, p_2\f$ | `linear`, `quadratic` | monomials of degree 1 and 2 |
+/// | \f$p\f$ | `monomials_of` | the monomials up to degree 3 at the neighbours |
+/// | \f$p_1, p_2\f$ | `linear`, `quadratic` | those of degree 1 and 2 |
 /// | \f$o = [p_1, p_3]\f$ | `odd` | those of degree 1 and 3 |
-/// | \f$\langle f, g\rangle\f$ | `product` | sum over the neighbours, weighted by W V |
+/// | \f$\langle f, g\rangle\f$ | `product`, `moments` | sum over the neighbours, weighted by W V |
 /// | \f$C_m, K_m\f$ | `corrections`, `kernels` | correction and kernel for the m-th second derivative |
 ///
-/// All tables have a row for each monomial and a column for each neighbour. The order of monomials is that of
-/// particles::monomials(): in the plane \f$\partial_{11}, \partial_{22}, \partial_{12}\f$.
+/// All functions are polynomials: rows of coefficients of the monomials, in the order of
+/// particles::monomials(), for second derivatives in the plane \f$\partial_{11}, \partial_{22},
+/// \partial_{12}\f$. Whatever is summed over the neighbours then follows from the products of the monomials,
+/// which are summed once.
 ///
 /// The second derivatives are those of the SSPH basis of degree 3, \eq{B2.8}, if its expansion takes the value
 /// at the particle as given: both solve for the same unknowns under the same conditions. The two papers of
@@ -60,42 +66,67 @@ namespace second_order_fpm {
 template <int dim>
 inline constexpr particles::Requirement required{"definite_fpm", terms<dim, 3>};
 
-/// The monomials of Taylor's expansion up to degree 3, without the constant. \defeq{F1}
+/// The monomials of Taylor's expansion up to degree 3; that of degree 0 has the value at the particle itself.
+/// \defeq{F1}
 /// \f[ B(x_j) - B(x_i) = \sum_{1 \le |a| \le 3} \frac{r^a}{a!}\,h^{|a|}\,\partial^a B(x_i) + O(|x_j - x_i|^4)
 ///     \tag{F1} \f]
-/// \return a row for each monomial
+/// \return p, a row for each monomial, a column for each neighbour
 template <class Scalar, int dim>
 Table<Scalar> monomials_of(const Neighbourhood<Scalar, dim>& near) {
-    return batra2008::ssph_basis::H<dim, 3, Scalar>(near.r).bottomRows(terms<dim, 3> - 1);
+    return batra2008::ssph_basis::H<dim, 3, Scalar>(near.r);
 }
 
-/// \f$p_1\f$, the monomials of degree 1.
-template <int dim, class Scalar>
-Table<Scalar> linear(const Table<Scalar>& p) {
-    return p.topRows(dim);
+namespace detail {
+
+/// The places of the monomials of some degrees among those up to degree 3.
+template <int dim, int count>
+constexpr std::array<int, count> of_degrees(int one, int other) {
+    std::array<int, count> places{};
+    std::size_t found = 0;
+    constexpr auto all = particles::monomials<dim, 3>();
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (const int degree = particles::order<dim>(all[k]); degree == one || degree == other)
+            places[found++] = static_cast<int>(k);
+    return places;
 }
 
-/// \f$p_2\f$, those of degree 2.
-template <int dim, class Scalar>
-Table<Scalar> quadratic(const Table<Scalar>& p) {
-    return p.middleRows(dim, second_derivatives<dim>);
+}  // namespace detail
+
+/// \f$p_1\f$: places of the monomials of degree 1.
+template <int dim>
+inline constexpr auto linear = detail::of_degrees<dim, dim>(1, 1);
+
+/// \f$p_2\f$: places of those of degree 2.
+template <int dim>
+inline constexpr auto quadratic = detail::of_degrees<dim, second_derivatives<dim>>(2, 2);
+
+/// \f$o = [p_1, p_3]\f$: places of those of odd degree, 2 on a line, 6 in the plane, 13 in space.
+template <int dim>
+inline constexpr auto odd = detail::of_degrees<dim, terms<dim, 3> - 1 - second_derivatives<dim>>(1, 3);
+
+/// Monomials as polynomials. \param places of the monomials
+template <class Scalar, int dim, std::size_t count>
+Table<Scalar> polynomials(const std::array<int, count>& places) {
+    Table<Scalar> all = Table<Scalar>::Zero(static_cast<Index>(count), terms<dim, 3>);
+    for (std::size_t k = 0; k < count; ++k) all(static_cast<Index>(k), places[k]) = Scalar(1);
+    return all;
 }
 
-/// \f$o = [p_1, p_3]\f$, those of odd degree: 2 on a line, 6 in the plane, 13 in space.
-template <int dim, class Scalar>
-Table<Scalar> odd(const Table<Scalar>& p) {
-    Table<Scalar> o(p.rows() - second_derivatives<dim>, p.cols());
-    o << p.topRows(dim), p.bottomRows(o.rows() - dim);
-    return o;
+/// The products of the monomials over the neighbours, \f$\langle p, p^T\rangle\f$: the matrix \eq{B2.9} of
+/// SSPH with W V in the place of W.
+/// \param p monomials_of() \param WV W times V of each neighbour
+template <class Scalar>
+Matrix<Scalar> moments(const Table<Scalar>& p, const Column<Scalar>& WV) {
+    return batra2008::ssph_basis::C<Scalar>(batra2008::ssph_basis::D<Scalar>(p, WV), p);
 }
 
 /// The products of two sets of functions over the neighbours. \defeq{F2}
 /// \f[ \langle f_m, g_n\rangle = \sum_j f_m(r_j)\,g_n(r_j)\,W_j\,V_j \tag{F2} \f]
-/// \param f, g a row for each function \param WV W times V of each neighbour
+/// \param f, g a row for each function \param moments products of the monomials
 /// \return a row for each f, a column for each g
 template <class Scalar>
-Table<Scalar> product(const Table<Scalar>& f, const Table<Scalar>& g, const Column<Scalar>& WV) {
-    return (f * WV.matrix().asDiagonal()).lazyProduct(g.transpose());
+Table<Scalar> product(const Table<Scalar>& f, const Table<Scalar>& g, const Matrix<Scalar>& moments) {
+    return Table<Scalar>(f.lazyProduct(moments)).lazyProduct(g.transpose());
 }
 
 namespace detail {
@@ -107,8 +138,8 @@ inline constexpr double singular = 1e-10;
 /// \param diagonal what the pivots are compared with
 /// \throws particles::SingularNeighbourhood where a pivot vanishes beside it
 template <class Scalar>
-solvers::Cholesky<Scalar> factors(const Table<Scalar>& A, const Column<Scalar>& diagonal) {
-    solvers::Cholesky<Scalar> factors{Matrix<Scalar>(A)};
+solvers::Cholesky<Scalar> factors(const Matrix<Scalar>& A, const Column<Scalar>& diagonal) {
+    solvers::Cholesky<Scalar> factors(A);
     const Column<Scalar> pivots = factors.L().diagonal().array().square() / diagonal;
     if (!factors.succeeded() || !(pivots > singular).all())
         throw particles::SingularNeighbourhood(factors.succeeded() ? static_cast<double>(pivots.minCoeff())
@@ -116,32 +147,39 @@ solvers::Cholesky<Scalar> factors(const Table<Scalar>& A, const Column<Scalar>& 
     return factors;
 }
 
-}  // namespace detail
-
-/// \f$G^{-1} \langle o, q_m\rangle\f$, the coefficients of the odd monomials that explain most of each \f$q_m\f$.
-/// \return a row for each odd monomial, a column for each \f$q_m\f$
-/// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
-template <class Scalar>
-Table<Scalar> coefficients(const Table<Scalar>& q, const Table<Scalar>& o, const Column<Scalar>& WV) {
-    const Table<Scalar> G = product(o, o, WV);
-    const auto factors = detail::factors<Scalar>(G, G.diagonal().array());
-    return particles::solved(factors, product(o, q, WV));
+/// Rows times the factorials of the derivatives of degree 2, \f$a_n!\f$.
+template <int dim, class Scalar>
+Column<Scalar> factorials() {
+    static constexpr auto all = particles::monomials<dim, 2>();
+    Column<Scalar> each(second_derivatives<dim>);
+    for (std::size_t n = 0; n < second_derivatives<dim>; ++n)
+        each[static_cast<Index>(n)] = Scalar(particles::factorial<dim>(all[1 + dim + n]));
+    return each;
 }
+
+}  // namespace detail
 
 /// The corrections: the monomials of degree 2 less what the odd ones explain of them. \defeq{F3}
 /// \f[ C_m = q_m - o^T G^{-1} \langle o, q_m\rangle, \qquad G = \langle o, o^T\rangle, \qquad q = p_2 \tag{F3} \f]
 /// so that \f$\langle C_m, o\rangle = 0\f$. G is a Gram matrix; one factorisation serves all m.
+/// \param q a row for each function
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
-template <class Scalar>
-Table<Scalar> corrections(const Table<Scalar>& q, const Table<Scalar>& o, const Column<Scalar>& WV) {
-    return q - coefficients(q, o, WV).transpose() * o;
+template <int dim, class Scalar>
+Table<Scalar> corrections(const Table<Scalar>& q, const Matrix<Scalar>& moments) {
+    const Matrix<Scalar> G = moments(odd<dim>, odd<dim>);
+    const auto factors = detail::factors<Scalar>(G, G.diagonal().array());
+    const Table<Scalar> o_q = Table<Scalar>(moments(odd<dim>, Eigen::all)).lazyProduct(q.transpose());
+    Table<Scalar> C = q;
+    C(Eigen::all, odd<dim>) -= particles::solved(factors, o_q).transpose();
+    return C;
 }
 
-/// The kernels times the volumes, as \eq{A39}. \defeq{F4}
+/// The kernels at the neighbours, times the volumes, as \eq{A39}. \defeq{F4}
 /// \f[ K_m = C_m\,W \tag{F4} \f]
+/// \return a row for each correction, a column for each neighbour
 template <class Scalar>
-Table<Scalar> kernels(const Table<Scalar>& C, const Column<Scalar>& WV) {
-    return C * WV.matrix().asDiagonal();
+Table<Scalar> kernels(const Table<Scalar>& C, const Table<Scalar>& p, const Column<Scalar>& WV) {
+    return C.lazyProduct(p) * WV.matrix().asDiagonal();
 }
 
 /// The second derivatives: the expansion projected on the kernels, whose terms of odd degree vanish.
@@ -150,18 +188,15 @@ Table<Scalar> kernels(const Table<Scalar>& C, const Column<Scalar>& WV) {
 ///     = \sum_j [B(x_j) - B(x_i)]\,K_m(x_j)\,V_j \tag{F5} \f]
 /// The matrix is the Schur complement \f$\langle p_2, p_2\rangle - \langle p_2, o\rangle G^{-1} \langle o,
 /// p_2\rangle\f$, symmetric and definite. The remainder is O(h⁴), over h²: second order, everywhere.
-/// \param K kernels times volumes
-/// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h²], a row for each second derivative
+/// \return polynomials whose kernels are the weights on \f$B(x_j) - B(x_i)\f$ [1/h²], a row for each second
+///         derivative
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine them
 template <int dim, class Scalar>
-Table<Scalar> second(const Table<Scalar>& K, const Table<Scalar>& p2, const Column<Scalar>& WV) {
-    const Table<Scalar> M = K.lazyProduct(p2.transpose());
-    const auto factors = detail::factors<Scalar>(M, product(p2, p2, WV).diagonal().array());
-    Table<Scalar> weights = particles::solved(factors, K);
-    static constexpr auto a = particles::monomials<dim, 2>();
-    for (Index n = 0; n < weights.rows(); ++n)
-        weights.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + dim + n)]));
-    return weights;
+Table<Scalar> second(const Table<Scalar>& C, const Matrix<Scalar>& moments) {
+    const auto p2 = polynomials<Scalar, dim>(quadratic<dim>);
+    const auto factors =
+        detail::factors<Scalar>(product(C, p2, moments), moments.diagonal()(quadratic<dim>).array());
+    return detail::factorials<dim, Scalar>().matrix().asDiagonal() * particles::solved(factors, C);
 }
 
 /// The first derivatives: the expansion projected on \f$p_1 W\f$, which is \f$-\tfrac12 DW\f$ of the Gaussian,
@@ -169,19 +204,16 @@ Table<Scalar> second(const Table<Scalar>& K, const Table<Scalar>& p2, const Colu
 /// \f[ \langle p_1, p_1^T\rangle\,DB(x_i) = \sum_j \Big\{B(x_j) - B(x_i)
 ///     - \sum_n \frac{r_j^{a_n}}{a_n!}\,\partial^{a_n} B(x_i)\Big\}\,p_1(r_j)\,W_j\,V_j \tag{F6} \f]
 /// The remainder is O(h³), over h: second order, too.
-/// \param D2 weights of the second derivatives
-/// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h], a row for each coordinate
+/// \param D2 polynomials of the second derivatives
+/// \return polynomials whose kernels are the weights on \f$B(x_j) - B(x_i)\f$ [1/h], a row for each coordinate
 template <int dim, class Scalar>
-Table<Scalar> first(const Table<Scalar>& D2, const Table<Scalar>& p1, const Table<Scalar>& p2,
-                    const Column<Scalar>& WV) {
-    Table<Scalar> known = product(p1, p2, WV);
-    static constexpr auto a = particles::monomials<dim, 2>();
-    for (Index n = 0; n < known.cols(); ++n)
-        known.col(n) /= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + dim + n)]));
-    const Table<Scalar> M = product(p1, p1, WV);
+Table<Scalar> first(const Table<Scalar>& D2, const Matrix<Scalar>& moments) {
+    const Matrix<Scalar> M = moments(linear<dim>, linear<dim>);
     const auto factors = detail::factors<Scalar>(M, M.diagonal().array());
+    const Table<Scalar> known = moments(linear<dim>, quadratic<dim>) *
+                                detail::factorials<dim, Scalar>().inverse().matrix().asDiagonal();
     return particles::solved<solvers::Cholesky<Scalar>, Scalar>(
-        factors, p1 * WV.matrix().asDiagonal() - known.lazyProduct(D2));
+        factors, polynomials<Scalar, dim>(linear<dim>) - known.lazyProduct(D2));
 }
 
 /// Both derivatives of the method, as particles::assemble() takes them. On a line this is the formulation
@@ -192,9 +224,11 @@ Table<Scalar> first(const Table<Scalar>& D2, const Table<Scalar>& p1, const Tabl
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>& near) {
     const Column<Scalar> WV = near.W * near.V;
-    const Table<Scalar> p = monomials_of(near), p1 = linear<dim>(p), p2 = quadratic<dim>(p);
-    const Table<Scalar> D2 = second<dim>(kernels(corrections(p2, odd<dim>(p), WV), WV), p2, WV);
-    return {first<dim>(D2, p1, p2, WV).transpose().array(), D2.transpose().array()};
+    const Table<Scalar> p = monomials_of(near), p2 = polynomials<Scalar, dim>(quadratic<dim>);
+    const Matrix<Scalar> products = moments(p, WV);
+    const Table<Scalar> D2 = second<dim>(corrections<dim>(p2, products), products),
+                        D = first<dim>(D2, products);
+    return {kernels(D, p, WV).transpose().array(), kernels(D2, p, WV).transpose().array()};
 }
 
 }  // namespace second_order_fpm

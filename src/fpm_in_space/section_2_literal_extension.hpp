@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -31,14 +32,17 @@ namespace fpm_in_space {
 /// | \f$q\f$ | `constant_and_harmonic` | what multiplies W |
 /// | \f$\varphi_m\f$ | `kernels` | the kernels on which the expansion is projected, times volumes |
 ///
-/// Tables have a row for each function and a column for each neighbour, as in Section 1.
+/// Functions of degree 3 at most are polynomials, as in Section 1. Other tables have a row for each function and
+/// a column for each neighbour.
 ///
 /// What this section claims, and what was measured: \claims{F-2}.
 namespace literal_extension {
 
-using second_order_fpm::linear;
+using second_order_fpm::corrections;
+using second_order_fpm::kernels;
+using second_order_fpm::moments;
 using second_order_fpm::monomials_of;
-using second_order_fpm::odd;
+using second_order_fpm::polynomials;
 using second_order_fpm::quadratic;
 
 /// How many derivatives of order 1 and 2 there are: 2 on a line, 5 in the plane, 9 in space.
@@ -49,7 +53,7 @@ inline constexpr int unknowns = terms<dim, 2> - 1;
 /// \return a row for each derivative
 template <class Scalar, int dim>
 Table<Scalar> taylor(const Neighbourhood<Scalar, dim>& near) {
-    Table<Scalar> all = monomials_of(near).topRows(unknowns<dim>);
+    Table<Scalar> all = monomials_of(near).middleRows(1, unknowns<dim>);
     static constexpr auto a = particles::monomials<dim, 2>();
     for (Index n = 0; n < all.rows(); ++n)
         all.row(n) /= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));
@@ -58,11 +62,12 @@ Table<Scalar> taylor(const Neighbourhood<Scalar, dim>& near) {
 
 /// As many functions of degree 2 as there are second derivatives: the constant in the place of the sum of
 /// squares, the differences of squares, and the products. In the plane they are 1, x² − y² and xy.
-/// \return a row for each function
-template <int dim, class Scalar>
-Table<Scalar> constant_and_harmonic(const Table<Scalar>& p2) {
+/// \return a polynomial for each function
+template <class Scalar, int dim>
+Table<Scalar> constant_and_harmonic() {
+    const Table<Scalar> p2 = polynomials<Scalar, dim>(quadratic<dim>);
     Table<Scalar> q = p2;
-    q.row(0).setOnes();
+    q.row(0).setUnit(0);
     for (Index axis = 1; axis < dim; ++axis) q.row(axis) = p2.row(axis - 1) - p2.row(axis);
     return q;
 }
@@ -126,8 +131,7 @@ template <class Scalar, int dim>
 Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>& near) {
     const auto& [r, W, DW, V] = near;
     Table<Scalar> all(unknowns<dim>, W.size());
-    all << constant_and_harmonic<dim>(quadratic<dim>(monomials_of(near))) * W.matrix().asDiagonal(),
-        DW.matrix().transpose();
+    all << kernels(constant_and_harmonic<Scalar, dim>(), monomials_of(near), W), DW.matrix().transpose();
     return all * V.matrix().asDiagonal();
 }
 
@@ -138,31 +142,25 @@ Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>& near) {
 template <class Scalar, int dim>
 Table<Scalar> kernel_derivatives(const Neighbourhood<Scalar, dim>& near) {
     const auto& [r, W, DW, V] = near;
-    Table<Scalar> hessian = Scalar(4) * quadratic<dim>(monomials_of(near));
+    Table<Scalar> hessian = Scalar(4) * monomials_of(near)(quadratic<dim>, Eigen::all);
     hessian.topRows(dim).array() -= Scalar(2);
     Table<Scalar> all(unknowns<dim>, W.size());
     all << DW.matrix().transpose(), hessian * W.matrix().asDiagonal();
     return all * V.matrix().asDiagonal();
 }
 
-/// The derivatives of the odd monomials by a coordinate, \f$\partial_k r^a = a_k\,r^{a - e_k}\f$.
-/// \return a row for each neighbour, a column for each odd monomial
-template <class Scalar, int dim>
-Table<Scalar> odd_derivative(const Neighbourhood<Scalar, dim>& near, int axis) {
+/// The derivative of polynomials by a coordinate, \f$\partial_k r^a = a_k\,r^{a - e_k}\f$.
+template <int dim, class Scalar>
+Table<Scalar> derivative(const Table<Scalar>& f, int axis) {
     static constexpr auto monomials = particles::monomials<dim, 3>();
-    const auto k = static_cast<std::size_t>(axis);
-    Table<Scalar> all(near.W.size(), terms<dim, 3> - 1 - second_derivatives<dim>);
-    Index column = 0;
-    for (Exponents<dim> a : monomials) {
-        if (particles::order<dim>(a) % 2 == 0) continue;
-        all.col(column).setConstant(Scalar(a[k]));
-        if (a[k] > 0) --a[k];
-        for (std::size_t l = 0; l < dim; ++l)
-            for (int power = 0; power < a[l]; ++power)
-                all.col(column).array() *= near.r.col(static_cast<Index>(l));
-        ++column;
+    Table<Scalar> Df = Table<Scalar>::Zero(f.rows(), f.cols());
+    for (std::size_t k = 0; k < monomials.size(); ++k) {
+        Exponents<dim> a = monomials[k];
+        const int power = a[static_cast<std::size_t>(axis)]--;
+        const auto lowered = std::find(monomials.begin(), monomials.end(), a) - monomials.begin();
+        if (power > 0) Df.col(lowered) += Scalar(power) * f.col(static_cast<Index>(k));
     }
-    return all;
+    return Df;
 }
 
 /// The kernels of the second-order FPM: those of \eq{F7}, corrected as \eq{A39} to \eq{A42}. \defeq{F9}
@@ -175,18 +173,15 @@ Table<Scalar> odd_derivative(const Neighbourhood<Scalar, dim>& near, int axis) {
 template <class Scalar, int dim>
 Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>& near) {
     const auto& [r, W, DW, V] = near;
-    const Column<Scalar> WV = W * V;
-    const Table<Scalar> p = monomials_of(near), o = odd<dim>(p),
-                        q = constant_and_harmonic<dim>(quadratic<dim>(p));
-    const Table<Scalar> c = second_order_fpm::coefficients(q, o, WV), C = q - c.transpose().lazyProduct(o);
-    const Column<Scalar> C_1 = C.row(0).transpose(), c_1 = c.col(0);
+    const Table<Scalar> p = monomials_of(near);
+    const Table<Scalar> C = corrections<dim>(constant_and_harmonic<Scalar, dim>(), moments<Scalar>(p, W * V)),
+                        C_1 = C.topRows(1);
     Table<Scalar> all(unknowns<dim>, W.size());
-    all.topRows(C.rows()) = second_order_fpm::kernels(C, WV);
-    for (int axis = 0; axis < dim; ++axis) {
-        const Column<Scalar> DC_1 = -odd_derivative(near, axis).lazyProduct(c_1.matrix()).array();
-        all.row(C.rows() + axis) = ((DC_1 * W + C_1 * DW.col(axis)) * V).matrix().transpose();
-    }
-    return all;
+    all.topRows(C.rows()) = kernels<Scalar>(C, p, W);
+    for (int axis = 0; axis < dim; ++axis)
+        all.row(C.rows() + axis) =
+            kernels<Scalar>(derivative<dim>(C_1, axis), p, W) + kernels<Scalar>(C_1, p, DW.col(axis));
+    return all * V.matrix().asDiagonal();
 }
 
 /// The modified FPM, \eq{F7}. Errors as for projected().

@@ -126,15 +126,31 @@ TEST_CASE(
     in_every_dimension([](auto dimension) {
         constexpr int dim = dimension;
         const auto near = random_neighbourhood<double, dim>(10 * terms<dim, 3>, dim, 5);
-        const Column<double> WV = near.W * near.V;
-        const auto p = monomials_of(near);
-        const auto o = odd<dim>(p), p2 = quadratic<dim>(p);
-        const Table<double> C = corrections(p2, o, WV);
-        CHECK(product(C, o, WV).cwiseAbs().maxCoeff() < 1e-10 * product(o, o, WV).cwiseAbs().maxCoeff());
-        const Table<double> M = product(C, p2, WV);
+        const auto products = moments<double>(monomials_of(near), near.W * near.V);
+        const auto p2 = polynomials<double, dim>(quadratic<dim>), o = polynomials<double, dim>(odd<dim>);
+        const Table<double> C = corrections<dim>(p2, products);
+        CHECK(product(C, o, products).cwiseAbs().maxCoeff() <
+              1e-10 * product(o, o, products).cwiseAbs().maxCoeff());
+        const Table<double> M = product(C, p2, products);
         CHECK((M - M.transpose()).cwiseAbs().maxCoeff() < 1e-10 * M.cwiseAbs().maxCoeff());
-        CHECK(odd<dim>(p).rows() == std::array{2, 6, 13}.at(dim - 1));
+        CHECK(odd<dim>.size() == std::array{2, 6, 13}.at(dim - 1));
     });
+}
+
+TEST_CASE("second-order FPM in space: products of polynomials are sums over the neighbours (F2)") {
+    const auto near = random_neighbourhood<double, 2>(30, 1, 6);
+    const auto x = near.r.col(0), y = near.r.col(1);
+    Table<double> f = Table<double>::Zero(2, 10), g = Table<double>::Zero(1, 10);
+    f(0, 0) = 2;  // 2 + x y, then y
+    f(0, 5) = 1;
+    f(1, 2) = 1;
+    g(0, 1) = 3;  // 3 x + y³
+    g(0, 7) = 1;
+    const auto products = moments<double>(monomials_of(near), near.W * near.V);
+    const Table<double> found = product(f, g, products);
+    const Column<double> WV = near.W * near.V, g_j = 3 * x + y * y * y;
+    CHECK(found(0, 0) == support::relative(((2 + x * y) * g_j * WV).sum(), 1e-13));
+    CHECK(found(1, 0) == support::relative((y * g_j * WV).sum(), 1e-13));
 }
 
 TEST_CASE(

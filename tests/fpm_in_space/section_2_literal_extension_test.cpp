@@ -188,7 +188,7 @@ TEST_CASE("(F9): no kernel has an odd moment, and the gradients are those of the
     const auto near =
         particles::neighbourhood(cloud, smoothing(9), 3, particles::within_reach(cloud, smoothing(9), 3));
     const auto all = literal_extension::corrected_kernels(near);
-    const auto o = second_order_fpm::odd<2>(second_order_fpm::monomials_of(near));
+    const Table<double> o = second_order_fpm::monomials_of(near)(second_order_fpm::odd<2>, Eigen::all);
     CHECK((all.topRows(3) * o.transpose()).cwiseAbs().maxCoeff() < 1e-12 * all.cwiseAbs().maxCoeff());
 
     // The same particles and one more, without volume, that moves.
