@@ -49,6 +49,8 @@ around_the_hole := graded-188-11,polar-11x17
 fpm_in_space/rows      = $(bin)/derivative_test_in_space --layout $(around_the_hole) --smoothing 1 --smoothing-from local \
                          --function 'log(x^2+y^2)/2' --states
 fpm_in_space/layouts   = $(bin)/hole --method strong --draws 25 --quality
+fpm_in_space/literal   = $(bin)/derivative_test_in_space --particles 16,31,61 --perturb 0,0.25 --seeds 25 --median --sample 300 \
+                         --smoothing 1 --cut 6 --formulation definite_fpm,literal_modified_fpm,literal_fpm_by_derivatives,literal_second_order_fpm
 
 fpm_in_space/claims    = $(bin)/claims --paper fpm_in_space
 
@@ -66,7 +68,7 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 # The claims about the hole are decided on the family of layouts.
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 # Those about the quality number, on tables of derivatives and of solutions.
-data/fpm_in_space/claims.csv: data/fpm_in_space/rows.csv data/fpm_in_space/layouts.csv
+data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space rows layouts)
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	rm -f $@.tmp.*

@@ -3,8 +3,11 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -25,36 +28,25 @@ struct Sizes {
 template <int dim>
 constexpr Sizes grids = dim == 2 ? Sizes{31, 121, 121 * 121} : Sizes{17, 33, 33 * 33 * 33};
 
-/// A sample of perturbed ones, for the draws.
+/// Orders of DB and D²B on grids at each place.
 template <int dim>
-constexpr Sizes perturbed = dim == 2 ? Sizes{31, 121, 150} : Sizes{17, 48, 150};
-
-/// Orders of DB and D²B at each place.
-template <int dim>
-std::vector<Errors> orders(std::string_view formulation, double perturbation, const Sizes& sizes,
-                           unsigned long draws) {
+std::vector<Errors> orders(std::string_view formulation) {
     const auto errors = [&](Index n) {
-        return median_errors<dim>(formulation, n, perturbation, cut_gaussian<dim>, sizes.sample, draws);
+        return errors_by_place<dim>(formulation, n, 0, cut_gaussian<dim>, grids<dim>.sample);
     };
-    const std::vector<Errors> before = errors(sizes.coarse), after = errors(sizes.fine);
+    const auto [coarse, fine, sample] = grids<dim>;
+    const std::vector<Errors> before = errors(coarse), after = errors(fine);
     std::vector<Errors> all;
     for (std::size_t place = 0; place < before.size(); ++place)
-        all.push_back({order(sizes.coarse, before[place].first, sizes.fine, after[place].first),
-                       order(sizes.coarse, before[place].second, sizes.fine, after[place].second)});
+        all.push_back({order(coarse, before[place].first, fine, after[place].first),
+                       order(coarse, before[place].second, fine, after[place].second)});
     return all;
 }
 
 /// Those of the second-order FPM, which serve the claims on both derivatives.
 template <int dim>
 const std::vector<Errors>& orders_on_grids() {
-    static const std::vector<Errors> all = orders<dim>("definite_fpm", 0, grids<dim>, 1);
-    return all;
-}
-
-template <int dim>
-const std::vector<Errors>& orders_on_perturbed() {
-    static const std::vector<Errors> all =
-        orders<dim>("definite_fpm", 0.25, perturbed<dim>, dim == 2 ? 25 : 3);
+    static const std::vector<Errors> all = orders<dim>("definite_fpm");
     return all;
 }
 
@@ -67,11 +59,30 @@ double farthest_from_2(double Errors::*derivative) {
     return farthest;
 }
 
-/// The least order of all places on perturbed particles.
+// On the tables of the figures, data/fpm_in_space
+
+report::Table table(const std::string& name) {
+    return report::read_table("data/fpm_in_space/" + name + ".csv");
+}
+
+double number(const report::Table& table, std::size_t row, const std::string& column) {
+    return std::get<double>(table.rows[row][table.column(column)]);
+}
+
+/// The least order of all places on perturbed particles: of the medians of 25 draws, between 31² and 121²
+/// particles, and between 17³ and 48³.
 template <int dim>
-double least_order(double Errors::*derivative) {
+double least_order(const std::string& column) {
+    const auto [coarse, fine] = dim == 2 ? std::array<Index, 2>{31, 121} : std::array<Index, 2>{17, 48};
+    const report::Table all = table(dim == 2 ? "plane" : "space");
+    std::map<std::string, std::map<Index, double>> errors;  // by place and particles along a side
+    for (std::size_t row = 0; row < all.rows.size(); ++row)
+        if (all.word(row, "formulation") == "definite_fpm" && number(all, row, "perturbation") == 0.25)
+            errors[all.word(row, "place")][std::lround(number(all, row, "particles"))] =
+                number(all, row, column);
     double least = std::numeric_limits<double>::infinity();
-    for (const Errors& place : orders_on_perturbed<dim>()) least = std::min(least, place.*derivative);
+    for (const auto& [place, of] : errors)
+        least = std::min(least, order(coarse, of.at(coarse), fine, of.at(fine)));
     return least;
 }
 
@@ -86,34 +97,31 @@ double rank_correlation(const std::vector<double>& one, const std::vector<double
     return gsl_stats_spearman(one.data(), 1, other.data(), 1, one.size(), work.data());
 }
 
-/// Of R with the error over the scale of the remainder for ln r, at the particles of
-/// data/fpm_in_space/rows.csv; then of R times the scale with the error.
+/// Of R with the error over the scale of the remainder for ln r, at the particles around the hole; then of R
+/// times the scale with the error.
 std::vector<Measurement> correlations_at_particles() {
-    const report::Table table = report::read_table("data/fpm_in_space/rows.csv");
+    const report::Table rows = table("rows");
     std::vector<double> R, scaled_error, bound, error;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        if (table.word(row, "formulation") != "definite_fpm") continue;
-        const auto value = [&](const char* column) {
-            return std::get<double>(table.rows[row][table.column(column)]);
-        };
-        const double squared_r = value("x") * value("x") + value("y") * value("y");
-        const double scale = 6 * value("spacing") * value("spacing") / (squared_r * squared_r);
-        R.push_back(value("quality"));
-        scaled_error.push_back(value("error_second") / scale);
-        bound.push_back(value("quality") * scale);
-        error.push_back(value("error_second"));
+    for (std::size_t row = 0; row < rows.rows.size(); ++row) {
+        if (rows.word(row, "formulation") != "definite_fpm") continue;
+        const double r = std::hypot(number(rows, row, "x"), number(rows, row, "y")),
+                     scale = 6 * std::pow(number(rows, row, "spacing"), 2) / std::pow(r, 4);
+        R.push_back(number(rows, row, "quality"));
+        scaled_error.push_back(number(rows, row, "error_second") / scale);
+        bound.push_back(number(rows, row, "quality") * scale);
+        error.push_back(number(rows, row, "error_second"));
     }
     return {{"", rank_correlation(R, scaled_error)},
             {"the size of the fourth derivatives is known, too", rank_correlation(bound, error)}};
 }
 
-/// Of the largest R with the error of the solution, on the layouts of data/fpm_in_space/layouts.csv.
+/// Of the largest R of a layout with the error of the solution on it.
 double correlation_on_layouts() {
-    const report::Table table = report::read_table("data/fpm_in_space/layouts.csv");
+    const report::Table layouts = table("layouts");
     std::vector<double> R, error;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        R.push_back(std::get<double>(table.rows[row][table.column("quality")]));
-        error.push_back(std::get<double>(table.rows[row][table.column("log_error_nd")]));
+    for (std::size_t row = 0; row < layouts.rows.size(); ++row) {
+        R.push_back(number(layouts, row, "quality"));
+        error.push_back(number(layouts, row, "log_error_nd"));
     }
     return rank_correlation(R, error);
 }
@@ -125,11 +133,11 @@ report::Computations section_4() {
         // Orders on grids
         {"F-4-uniform-D2", measured([](auto dim) { return farthest_from_2<dim>(&Errors::second); })},
         {"F-4-uniform-D", measured([](auto dim) { return farthest_from_2<dim>(&Errors::first); })},
-        // Orders on perturbed particles, medians of 25 draws in the plane and of 3 in space
-        {"F-4-perturbed-D2", measured([](auto dim) { return least_order<dim>(&Errors::second); })},
-        {"F-4-perturbed-D", measured([](auto dim) { return least_order<dim>(&Errors::first); })},
+        // Orders on perturbed particles
+        {"F-4-perturbed-D2", measured([](auto dim) { return least_order<dim>("error_second"); })},
+        {"F-4-perturbed-D", measured([](auto dim) { return least_order<dim>("error_first"); })},
         // Order by SSPH of degree 2 where one side ends
-        {"F-4-ssph", measured([](auto dim) { return orders<dim>("ssph", 0, grids<dim>, 1)[1].second; })},
+        {"F-4-ssph", measured([](auto dim) { return orders<dim>("ssph")[1].second; })},
         // Errors with 61² particles
         {"F-4-numpy-D2", measured_once([] { return errors_of_61().second; })},
         {"F-4-numpy-D", measured_once([] { return errors_of_61().first; })},
