@@ -178,6 +178,15 @@ TEST_CASE("derivative test in space: the error is at most what R says, for a fun
     CHECK(nearest > 0.1);  // the bound is no mere bound
 }
 
+TEST_CASE(
+    "derivative test in space: the largest of each number, and the particle of the second derivatives") {
+    const AtParticle most = largest({{7, 3, 1, 9}, {8, 1, 2, 4}, {9, 2, 1, 5}});
+    CHECK(most.particle == 8);
+    CHECK(most.first == 3);
+    CHECK(most.second == 2);
+    CHECK(most.R == 9);
+}
+
 TEST_CASE("derivative test in space: what cannot be tested is refused") {
     CHECK_THROWS_WITH_AS(body<2>(2, 0, 1), "a side needs at least 3 particles, got 2", base::InvalidInput);
     CHECK_THROWS_WITH_AS(body<3>(5, 0.5, 1), "the perturbation must lie in [0, 1/2), got 0.5",
