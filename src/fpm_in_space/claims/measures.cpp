@@ -26,6 +26,7 @@ std::vector<Errors> errors_by_place(std::string_view formulation, Index n, doubl
     const auto [cloud, on_sides] = derivative_test::body<dim>(n, perturbation, seed);
     const double spacing = 1 / static_cast<double>(n - 1);
     std::vector<Range> places;
+    places.reserve(on_sides.size());
     for (const Range& place : on_sides)
         places.push_back({place.first, std::min(place.last, place.first + sample)});
     std::vector<Errors> by_place;
@@ -70,15 +71,15 @@ double order(Index n_1, double error_1, Index n_2, double error_2) {
 }
 
 template <int dim>
-double least_eigenvalue(std::string_view name) {
+double least_eigenvalue(std::string_view formulation) {
     const Index n = dim == 2 ? 26 : 9;
-    const auto& formulation = formulation_named<double, dim>(name);
+    const auto& chosen = formulation_named<double, dim>(formulation);
     std::vector<double> least;
     for (unsigned long seed = 1; seed <= 3; ++seed) {
         const auto [cloud, on_sides] = derivative_test::body<dim>(n, 0.25, seed);
         const Range inside = on_sides[0];  // the first of all
         const auto operators = particles::assemble(cloud, gaussian<dim>(1 / static_cast<double>(n - 1)),
-                                                   formulation.required(), formulation.weights, inside);
+                                                   chosen.required(), chosen.weights, inside);
         Eigen::MatrixXd K = Eigen::MatrixXd::Zero(inside.size(), inside.size());
         for (std::size_t axis = 0; axis < dim; ++axis)
             K -= Eigen::MatrixXd(operators.D2[axis]).leftCols(inside.size());
