@@ -34,12 +34,13 @@ namespace fpm_in_space {
 /// \image html fpm_in_space_figure_plane.svg "Largest errors of the second derivatives in the plane, by place."
 /// \image html fpm_in_space_figure_space.svg "The same in space."
 ///
-/// **Does a number without a solution predict the error?** The figure below has the quality number R beside
-/// two errors, on the layouts of particles around the hole of the second paper. The error of the derivatives
-/// follows it. The error of a solution by collocation does not: there the layouts differ by the unknowns that
-/// alternate from particle to particle, which R cannot see.
+/// **Does a number without a solution predict the error?** The figure has two errors on the layouts of
+/// particles around the hole of the second paper. At each particle, the error of the derivatives of ln r
+/// stands below the bound that the quality number R gives with the size of the fourth derivatives, and follows
+/// it. The error of a solution by collocation does not follow R: there the layouts differ by unknowns that
+/// alternate from particle to particle, the noise, which R cannot see.
 ///
-/// \image html fpm_in_space_figure_quality.svg "Errors of derivatives, and of solutions by collocation, against the quality number."
+/// \image html fpm_in_space_figure_quality.svg "Errors of derivatives, and of solutions by collocation, against the quality number R."
 ///
 /// What this section claims, and what was measured: \claims{F-4}.
 namespace derivative_test {
