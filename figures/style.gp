@@ -21,7 +21,7 @@ set key below center vertical Left reverse maxrows 4 width -4 height 1 samplen 3
 # Below a title: what the print does not show.
 beyond(text) = "\n{/=12 Not in the print: " . text . ".}"
 
-names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent ssph definite_fpm cubic_ssph literal_modified_fpm literal_second_order_fpm"
+names = "original chen_beraun rkpm_first_order rkpm_second_order fpm modified_fpm second_order_fpm fem_lumped fem_consistent ssph definite_fpm cubic_ssph literal_modified_fpm literal_second_order_fpm literal_fpm_by_derivatives"
 title_original          = "original SPH"
 title_chen_beraun       = "Chen–Beraun"
 title_rkpm_first_order  = "RKPM, first order"
@@ -35,6 +35,7 @@ title_ssph              = "SSPH, second degree"
 title_definite_fpm      = "second-order FPM, definite"
 title_cubic_ssph        = "SSPH, third degree"
 title_literal_modified_fpm     = "modified FPM, word by word"
+title_literal_fpm_by_derivatives = "modified FPM by derivatives of W"
 title_literal_second_order_fpm = "second-order FPM, word by word"
 # A name without a title stands for itself.
 plain(name) = strstrt(name, "_") == 0 ? name : name[1:strstrt(name, "_") - 1] . "\\_" . plain(name[strstrt(name, "_") + 1:*])
@@ -57,6 +58,7 @@ set style line 11 linecolor rgb "#00695c" dashtype 1       pointtype 7  pointsiz
 set style line 12 linecolor rgb "#7b4fa3" dashtype (4,3)   pointtype 5  pointsize 0.7 linewidth 1.5
 set style line 13 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize 0.9 linewidth 1.5
 set style line 14 linecolor rgb "#b35900" dashtype (8,3,2,3) pointtype 8 pointsize 0.9 linewidth 1.5
+set style line 15 linecolor rgb "#888888" dashtype (3,2)   pointtype 10 pointsize 0.9 linewidth 1.5
 
 # Rows of one formulation; others are passed over. Curves that overlap carry their symbols at different rows, so that each
 # shows: marked(name, row, every) picks them.

@@ -10,7 +10,7 @@ stats table using (places = with_word(places, strcol("place")), 0) nooutput
 stats table using (column("error_first") > 0 ? column("error_first") : NaN) nooutput
 first_least = STATS_min; first_most = STATS_max
 
-colour(name) = word("#c0392b #00695c #7b4fa3 #3a9bdc #b35900", style(name) < 10 ? 1 : style(name) - 9)
+colour(name) = word("#c0392b #00695c #7b4fa3 #3a9bdc #b35900 #888888", style(name) < 10 ? 1 : style(name) - 9)
 number(place) = place eq "inside" ? 1 : place eq "face" ? 2 : place eq "edge" ? 3 : 4
 at_place(name, place) = 100 + 4 * style(name) + number(place)
 place_style(tag, colour, place) = sprintf("set style line %d linecolor rgb '%s' dashtype %s pointtype %s pointsize 0.7 linewidth 1.4", \

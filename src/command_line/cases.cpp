@@ -90,9 +90,6 @@ std::vector<long> four_a_doubling() {
 }
 
 void add_options(CommandLine& app, Options& options, const std::vector<std::string>& extra) {
-    std::vector<std::string> kernels;
-    particles::for_each_kernel([&](const auto& kernel) { kernels.push_back(particles::name(kernel)); });
-
     app.column_width(34);
     app.add_list("--formulation", options.formulations,
                  "formulations: all (default), or some of " + joined(known_formulations(extra)) +
@@ -115,7 +112,7 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
            "--volumes", options.volumes,
            "particle volumes: equal (the spacing for each; default) or partition (half of it at the ends)")
         .type_name("NAME");
-    app.add_option("--kernel", options.kernel, "one of " + joined(kernels) + " (default gaussian)")
+    app.add_option("--kernel", options.kernel, "one of " + joined(kernel_names()) + " (default gaussian)")
         .type_name("NAME");
     app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1)")
         .type_name("RATIO");

@@ -53,6 +53,12 @@ std::vector<std::string> formulation_names() {
     return names;
 }
 
+std::vector<std::string> kernel_names() {
+    std::vector<std::string> names;
+    particles::for_each_kernel([&](const auto& kernel) { names.push_back(particles::name(kernel)); });
+    return names;
+}
+
 std::vector<std::string> names_beside_all() {
     return {"definite_fpm"};
 }

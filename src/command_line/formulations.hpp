@@ -21,6 +21,9 @@ std::vector<std::string> formulation_names();
 /// fpm_in_space on a line.
 std::vector<std::string> names_beside_all();
 
+/// The names of the kernels that need no number.
+std::vector<std::string> kernel_names();
+
 /// The formulation of a name, of one beside all, too.
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>

@@ -33,6 +33,13 @@ const std::vector<Formulation<Scalar, dim>>& formulations();
 
 std::vector<std::string> formulation_names();
 
+/// "inside", "face", "edge" or "corner": a place by the number of sides that it lies on.
+template <int dim>
+std::string place(int sides) {
+    static_assert(dim == 2 || dim == 3);
+    return sides == 0 ? "inside" : sides == dim ? "corner" : sides == dim - 1 ? "edge" : "face";
+}
+
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar, int dim>
 const Formulation<Scalar, dim>& formulation_named(std::string_view wanted) {

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
+#include "base/quad.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 #include "particles/local_system.hpp"
 #include "particles/multi_index.hpp"
@@ -37,12 +39,13 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// space there are several second derivatives, and each gets a kernel of its own. The paper's K begins with
 /// the constant, \f$C = 1 + \ldots\f$, and the matrix \eq{A43} that follows may vanish
 /// (asprone2010::quality). Here each kernel begins with the monomial of its own derivative: then the matrix
-/// is a Schur complement, which is definite wherever the monomials of degree 1 to 3 differ on the neighbours.
+/// is a Schur complement, which is definite wherever the monomials of degree 1 to 3 are linearly independent
+/// on the neighbours. Programs and tables call the method `definite_fpm`.
 ///
 /// | symbol | code | meaning |
 /// | --- | --- | --- |
 /// | \f$r = (x_j - x_i)/h\f$ | `near.r` | offset of a neighbour, in units of h |
-/// | \f$r^a,\ a!,\ \partial^a\f$ | `Exponents`, `factorial` | monomial, factorial and derivative of a multi-index |
+/// | \f$r^a,\ a!,\ \partial^a\f$ | `Exponents`, `factorial` | monomial, factorial, derivative of a multi-index |
 /// | \f$p\f$ | `monomials_of` | the monomials up to degree 3 at the neighbours |
 /// | \f$p_1, p_2\f$ | `linear`, `quadratic` | those of degree 1 and 2 |
 /// | \f$o = [p_1, p_3]\f$ | `odd` | those of degree 1 and 3 |
@@ -54,8 +57,8 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// \partial_{12}\f$. Whatever is summed over the neighbours then follows from the products of the monomials,
 /// which are summed once.
 ///
-/// The second derivatives are those of the SSPH basis of degree 3, \eq{B2.8}, if its expansion takes the value
-/// at the particle as given: both solve for the same unknowns under the same conditions. The two papers of
+/// The second derivatives are those of the SSPH basis of degree 3, \eq{B2.8}, if its expansion takes the
+/// value at the particle as given: both solve for the same unknowns under the same conditions. The two papers of
 /// this package meet here.
 ///
 /// What this section claims, and what was measured: \claims{F-1}.
@@ -131,8 +134,8 @@ Table<Scalar> product(const Table<Scalar>& f, const Table<Scalar>& g, const Matr
 
 namespace detail {
 
-/// Smallest pivot that counts, relative to the diagonal that it is left of: with a smaller one a second
-/// derivative loses half of its digits.
+/// Smallest pivot that counts, relative to the diagonal that it is left of: with a smaller one a derivative
+/// loses ten of its sixteen digits.
 inline constexpr double singular = 1e-10;
 
 /// \param diagonal what the pivots are compared with
@@ -142,12 +145,12 @@ solvers::Cholesky<Scalar> factors(const Matrix<Scalar>& A, const Column<Scalar>&
     solvers::Cholesky<Scalar> factors(A);
     const Column<Scalar> pivots = factors.L().diagonal().array().square() / diagonal;
     if (!factors.succeeded() || !(pivots > singular).all())
-        throw particles::SingularNeighbourhood(factors.succeeded() ? static_cast<double>(pivots.minCoeff())
-                                                                   : 0);
+        throw particles::SingularNeighbourhood(
+            std::string("the monomials of degree 1 to 3 are not independent on them"));
     return factors;
 }
 
-/// Rows times the factorials of the derivatives of degree 2, \f$a_n!\f$.
+/// The factorials of the derivatives of order 2, \f$a_n!\f$.
 template <int dim, class Scalar>
 Column<Scalar> factorials() {
     static constexpr auto all = particles::monomials<dim, 2>();
@@ -160,9 +163,11 @@ Column<Scalar> factorials() {
 }  // namespace detail
 
 /// The corrections: the monomials of degree 2 less what the odd ones explain of them. \defeq{F3}
-/// \f[ C_m = q_m - o^T G^{-1} \langle o, q_m\rangle, \qquad G = \langle o, o^T\rangle, \qquad q = p_2 \tag{F3} \f]
+/// \f[ C_m = q_m - o^T G^{-1} \langle o, q_m\rangle, \qquad G = \langle o, o^T\rangle, \qquad q = p_2
+///     \tag{F3} \f]
 /// so that \f$\langle C_m, o\rangle = 0\f$. G is a Gram matrix; one factorisation serves all m.
-/// \param q a row for each function
+/// \param q a row for each function \param moments products of the monomials
+/// \return a row for each of them
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine the odd monomials
 template <int dim, class Scalar>
 Table<Scalar> corrections(const Table<Scalar>& q, const Matrix<Scalar>& moments) {
@@ -176,7 +181,8 @@ Table<Scalar> corrections(const Table<Scalar>& q, const Matrix<Scalar>& moments)
 
 /// The kernels at the neighbours, times the volumes, as \eq{A39}. \defeq{F4}
 /// \f[ K_m = C_m\,W \tag{F4} \f]
-/// \return a row for each correction, a column for each neighbour
+/// \param C a row for each polynomial \param p monomials_of() \param WV W times V of each neighbour
+/// \return a row for each polynomial, a column for each neighbour
 template <class Scalar>
 Table<Scalar> kernels(const Table<Scalar>& C, const Table<Scalar>& p, const Column<Scalar>& WV) {
     return C.lazyProduct(p) * WV.matrix().asDiagonal();
@@ -186,8 +192,10 @@ Table<Scalar> kernels(const Table<Scalar>& C, const Table<Scalar>& p, const Colu
 /// \defeq{F5}
 /// \f[ \sum_n \langle C_m, p_{2,n}\rangle \frac{\partial^{a_n} B(x_i)}{a_n!}
 ///     = \sum_j [B(x_j) - B(x_i)]\,K_m(x_j)\,V_j \tag{F5} \f]
-/// The matrix is the Schur complement \f$\langle p_2, p_2\rangle - \langle p_2, o\rangle G^{-1} \langle o,
-/// p_2\rangle\f$, symmetric and definite. The remainder is O(h⁴), over h²: second order, everywhere.
+/// with derivatives in units of h. The matrix is the Schur complement
+/// \f$\langle p_2, p_2\rangle - \langle p_2, o\rangle G^{-1} \langle o, p_2\rangle\f$, symmetric and definite.
+/// The remainder is O(h⁴), over h²: second order, everywhere.
+/// \param C corrections() \param moments products of the monomials
 /// \return polynomials whose kernels are the weights on \f$B(x_j) - B(x_i)\f$ [1/h²], a row for each second
 ///         derivative
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine them
@@ -199,13 +207,15 @@ Table<Scalar> second(const Table<Scalar>& C, const Matrix<Scalar>& moments) {
     return detail::factorials<dim, Scalar>().matrix().asDiagonal() * particles::solved(factors, C);
 }
 
-/// The first derivatives: the expansion projected on \f$p_1 W\f$, which is \f$-\tfrac12 DW\f$ of the Gaussian,
-/// with the second derivatives known. \defeq{F6}
+/// The first derivatives: the expansion projected on \f$p_1 W\f$, which is \f$-\tfrac12 DW\f$ of the
+/// Gaussian, with the second derivatives known. \defeq{F6}
 /// \f[ \langle p_1, p_1^T\rangle\,DB(x_i) = \sum_j \Big\{B(x_j) - B(x_i)
 ///     - \sum_n \frac{r_j^{a_n}}{a_n!}\,\partial^{a_n} B(x_i)\Big\}\,p_1(r_j)\,W_j\,V_j \tag{F6} \f]
-/// The remainder is O(h³), over h: second order, too.
-/// \param D2 polynomials of the second derivatives
-/// \return polynomials whose kernels are the weights on \f$B(x_j) - B(x_i)\f$ [1/h], a row for each coordinate
+/// with derivatives in units of h. The remainder is O(h³), over h: second order, too.
+/// \param D2 polynomials of the second derivatives \param moments products of the monomials
+/// \return polynomials whose kernels are the weights on \f$B(x_j) - B(x_i)\f$ [1/h], a row for each
+///         coordinate
+/// \throws particles::SingularNeighbourhood where the neighbours do not determine them
 template <int dim, class Scalar>
 Table<Scalar> first(const Table<Scalar>& D2, const Matrix<Scalar>& moments) {
     const Matrix<Scalar> M = moments(linear<dim>, linear<dim>);
@@ -230,6 +240,15 @@ Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>& near) {
                         D = first<dim>(D2, products);
     return {kernels(D, p, WV).transpose().array(), kernels(D2, p, WV).transpose().array()};
 }
+
+// Compiled once, in section_1_second_order_fpm.cpp.
+extern template Derivatives<double, 1> derivatives(const Neighbourhood<double, 1>&);
+extern template Derivatives<double, 2> derivatives(const Neighbourhood<double, 2>&);
+extern template Derivatives<double, 3> derivatives(const Neighbourhood<double, 3>&);
+extern template Derivatives<long double, 1> derivatives(const Neighbourhood<long double, 1>&);
+extern template Derivatives<base::Quad, 1> derivatives(const Neighbourhood<base::Quad, 1>&);
+extern template Derivatives<base::Quad, 2> derivatives(const Neighbourhood<base::Quad, 2>&);
+extern template Derivatives<base::Quad, 3> derivatives(const Neighbourhood<base::Quad, 3>&);
 
 }  // namespace second_order_fpm
 }  // namespace fpm_in_space

@@ -11,21 +11,23 @@ namespace fpm_in_space {
 
 /// Section 2, why it looked complicated: the formulations of the first paper, extended word by word.
 ///
-/// The modified FPM of the paper projects Taylor's expansion of degree 2 on W and DW, \eq{A36}: two kernels for
-/// two unknowns. In d dimensions there are d + d(d + 1)/2 unknowns, and W and DW are d + 1 kernels. Something
-/// must be added, and the paper does not say what.
+/// The modified FPM of the paper projects Taylor's expansion of degree 2 on W and DW, \eq{A36}: two kernels
+/// for two unknowns. In d dimensions there are d + d(d + 1)/2 unknowns, and W and DW are d + 1 kernels.
+/// Something must be added, and the paper does not say what.
 ///
-/// Two answers keep to its words. One multiplies W by as many functions q as there are second derivatives: the
-/// constant of the paper, and the harmonic polynomials of degree 2, which the constant lacks, \eq{F7}. The other
-/// takes the first and the second derivatives of W, \eq{F8}. The second-order FPM corrects the kernels of the
-/// first answer as the paper corrects its one, \eq{F9}.
+/// Two answers keep to its words. One multiplies W by as many functions q as there are second derivatives:
+/// the constant of the paper, and the harmonic polynomials of degree 2, which the constant lacks, \eq{F7}
+/// (`literal_modified_fpm`). The other takes the first and the second derivatives of W, \eq{F8}
+/// (`literal_fpm_by_derivatives`). The second-order FPM corrects the kernels of the first answer as the paper
+/// corrects its one, \eq{F9} (`literal_second_order_fpm`).
 ///
-/// None of the three is of use. On a grid \eq{F9} is of second order, with errors at the edges thousands of
-/// times those of Section 1. On particles that lie irregularly the determinants of \eq{F7} and \eq{F9} pass
-/// through zero at edges, and a few particles have errors of any size. \eq{F8} is of first order everywhere,
-/// but a membrane has eigenvalues of the wrong sign. The matrices are neither Gram matrices nor Schur
-/// complements of one: nothing keeps them away from singular ones. The table literal.csv has the errors of all
-/// three by place, beside those of Section 1.
+/// None of the three is of use. On a grid \eq{F9} is of second order, but the errors of its second derivatives
+/// at edges are thousands of times those of Section 1 in the plane, and hundreds of times in space. On
+/// perturbed particles the matrices of \eq{F7} and \eq{F9} come near singular ones at the sides, and a few
+/// particles have errors of any size. The second derivatives of \eq{F8} are of first order, and a membrane on
+/// perturbed particles has eigenvalues of the wrong sign. The matrices are neither Gram matrices nor Schur
+/// complements of one: nothing keeps them away from singular ones. The table literal.csv has the errors of
+/// all three by place, beside those of Section 1.
 ///
 /// | symbol | code | meaning |
 /// | --- | --- | --- |
@@ -33,8 +35,8 @@ namespace fpm_in_space {
 /// | \f$q\f$ | `constant_and_harmonic` | what multiplies W |
 /// | \f$\varphi_m\f$ | `kernels` | the kernels on which the expansion is projected, times volumes |
 ///
-/// Functions of degree 3 at most are polynomials, as in Section 1. Other tables have a row for each function and
-/// a column for each neighbour.
+/// Functions of degree 3 at most are polynomials, as in Section 1. Other tables have a row for each function
+/// and a column for each neighbour.
 ///
 /// What this section claims, and what was measured: \claims{F-2}.
 namespace literal_extension {
@@ -197,8 +199,8 @@ Derivatives<Scalar, dim> modified_by_derivatives(const Neighbourhood<Scalar, dim
     return projected(kernel_derivatives(near), near);
 }
 
-/// The second-order FPM, \eq{F9}. Errors as for projected(), and where the neighbours do not determine the odd
-/// monomials.
+/// The second-order FPM, \eq{F9}. Errors as for projected(), and where the neighbours do not determine the
+/// odd monomials.
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> second_order(const Neighbourhood<Scalar, dim>& near) {
     return projected(corrected_kernels(near), near);
@@ -209,17 +211,30 @@ Derivatives<Scalar, dim> second_order(const Neighbourhood<Scalar, dim>& near) {
 double condition(const Table<double>& A);
 
 // Compiled once, in section_2_literal_extension.cpp.
-#define FPM_IN_SPACE_LITERAL_EXTENSION(TEMPLATE, Scalar, dim)                               \
-    TEMPLATE Table<Scalar> matrix(const Table<Scalar>&, const Neighbourhood<Scalar, dim>&); \
-    TEMPLATE Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>&);             \
-    TEMPLATE Table<Scalar> kernel_derivatives(const Neighbourhood<Scalar, dim>&);           \
-    TEMPLATE Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>&);            \
-    TEMPLATE Derivatives<Scalar, dim> projected(const Table<Scalar>&, const Neighbourhood<Scalar, dim>&);
-FPM_IN_SPACE_LITERAL_EXTENSION(extern template, double, 1)
-FPM_IN_SPACE_LITERAL_EXTENSION(extern template, double, 2)
-FPM_IN_SPACE_LITERAL_EXTENSION(extern template, double, 3)
-FPM_IN_SPACE_LITERAL_EXTENSION(extern template, base::Quad, 2)
-FPM_IN_SPACE_LITERAL_EXTENSION(extern template, base::Quad, 3)
+extern template Derivatives<double, 1> modified(const Neighbourhood<double, 1>&);
+extern template Derivatives<double, 1> modified_by_derivatives(const Neighbourhood<double, 1>&);
+extern template Derivatives<double, 1> second_order(const Neighbourhood<double, 1>&);
+extern template Derivatives<double, 2> modified(const Neighbourhood<double, 2>&);
+extern template Derivatives<double, 2> modified_by_derivatives(const Neighbourhood<double, 2>&);
+extern template Derivatives<double, 2> second_order(const Neighbourhood<double, 2>&);
+extern template Derivatives<double, 3> modified(const Neighbourhood<double, 3>&);
+extern template Derivatives<double, 3> modified_by_derivatives(const Neighbourhood<double, 3>&);
+extern template Derivatives<double, 3> second_order(const Neighbourhood<double, 3>&);
+extern template Derivatives<base::Quad, 2> modified(const Neighbourhood<base::Quad, 2>&);
+extern template Derivatives<base::Quad, 2> modified_by_derivatives(const Neighbourhood<base::Quad, 2>&);
+extern template Derivatives<base::Quad, 2> second_order(const Neighbourhood<base::Quad, 2>&);
+extern template Derivatives<base::Quad, 3> modified(const Neighbourhood<base::Quad, 3>&);
+extern template Derivatives<base::Quad, 3> modified_by_derivatives(const Neighbourhood<base::Quad, 3>&);
+extern template Derivatives<base::Quad, 3> second_order(const Neighbourhood<base::Quad, 3>&);
+extern template Table<double> harmonic_kernels(const Neighbourhood<double, 1>&);
+extern template Table<double> kernel_derivatives(const Neighbourhood<double, 1>&);
+extern template Table<double> corrected_kernels(const Neighbourhood<double, 1>&);
+extern template Table<double> harmonic_kernels(const Neighbourhood<double, 2>&);
+extern template Table<double> kernel_derivatives(const Neighbourhood<double, 2>&);
+extern template Table<double> corrected_kernels(const Neighbourhood<double, 2>&);
+extern template Table<double> harmonic_kernels(const Neighbourhood<double, 3>&);
+extern template Table<double> kernel_derivatives(const Neighbourhood<double, 3>&);
+extern template Table<double> corrected_kernels(const Neighbourhood<double, 3>&);
 
 }  // namespace literal_extension
 }  // namespace fpm_in_space

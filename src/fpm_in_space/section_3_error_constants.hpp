@@ -41,8 +41,9 @@ namespace fpm_in_space {
 /// the one inside, with the other sign, and to six digits that of the method at the end of a line: edges and
 /// corners make it no worse. SSPH of degree 2 has exponent 1 there. SSPH of degree 3 has nearly the same
 /// constants of second derivatives at corners, and others inside; its first derivatives have exponent 3, and
-/// 4 inside. The second-order FPM that Section 2 extends word by word has exponent 2, too, but across an edge
-/// its constants are more than a thousand times as large.
+/// 4 inside. The second-order FPM that Section 2 extends word by word has exponent 2, too, but its constants
+/// across an edge of the plane are thousands of times as large, and across a face in space hundreds of
+/// times.
 ///
 /// \image html fpm_in_space_figure_constants.svg "Sums of the absolute constants by place and derivative: from the stencils, and as exponentials show them."
 ///
@@ -58,9 +59,9 @@ namespace fpm_in_space {
 /// **The symbol** (symbol.csv). On an infinite lattice the Laplacian turns waves into multiples of
 /// themselves. Long waves have the right frequency; short ones are too slow, along the diagonal more than
 /// along the axes. No wave has the frequency zero, but with SSPH some nearly have: with h = 2δ, values that
-/// alternate from particle to particle in both directions have less than a ten-thousandth of the exact
+/// alternate from particle to particle in both directions have less than a millionth of the exact
 /// eigenvalue, since a fit that need not meet the value at the particle smooths them away. With the
-/// second-order FPM they have 250 times as much. Inside, SSPH of degree 2 and 3 have the same second
+/// second-order FPM they have more than a hundredth of it. Inside, SSPH of degree 2 and 3 have the same second
 /// derivatives.
 ///
 /// \image html fpm_in_space_figure_symbol.svg "Frequencies of waves over the exact ones: along an axis, along the diagonal, and in the plane of phases."
@@ -90,13 +91,6 @@ struct Lattice {
     double smoothing = 1;  ///< h/δ
     int bounded = 0;       ///< how many coordinates are nowhere negative
 };
-
-/// "inside", "face", "edge" or "corner": where the particle at the origin lies.
-template <int dim>
-std::string_view place(int bounded) {
-    static_assert(dim == 2 || dim == 3);
-    return bounded == 0 ? "inside" : bounded == dim ? "corner" : bounded + 1 < dim ? "face" : "edge";
-}
 
 /// How many particles the support of the kernel holds on one side.
 /// \throws base::InvalidInput unless that is between 1 and 30: the cost grows with its third power
@@ -193,9 +187,8 @@ Rows<Scalar, dim> limit_stencils(const Formulation<Scalar, dim>& formulation, co
         return detail::determined_rows(formulation, lattice);
     } catch (const base::FailedComputation& failed) {
         const Index count = within_reach(lattice).cols();
-        throw base::FailedComputation(std::string(formulation.name) + ", " +
-                                      std::string(place<dim>(lattice.bounded)) + ": a particle has " +
-                                      std::to_string(count) +
+        throw base::FailedComputation(std::string(formulation.name) + ", " + place<dim>(lattice.bounded) +
+                                      ": a particle has " + std::to_string(count) +
                                       (count == 1 ? " neighbour within " : " neighbours within ") +
                                       shown(particles::support<double>(lattice.kernel), 3) + "h, " +
                                       failed.what() + "; " + detail::remedy(formulation, lattice));
@@ -378,12 +371,16 @@ Scalar symbol(const Stencil<Scalar, dim>& stencil, const Point<dim, Scalar>& the
 }
 
 // Compiled once, in section_3_error_constants.cpp.
-#define FPM_IN_SPACE_ERROR_CONSTANTS(TEMPLATE, Scalar, dim)                                                \
-    TEMPLATE Rows<Scalar, dim> limit_stencils(const Formulation<Scalar, dim>&, const Lattice<dim>&);       \
-    TEMPLATE LeadingError<Scalar, dim> leading_error(const Stencil<Scalar, dim>&, const MultiIndex<dim>&); \
-    TEMPLATE Column<Scalar> measured_constants(const Stencil<Scalar, dim>&, const MultiIndex<dim>&, int);
-FPM_IN_SPACE_ERROR_CONSTANTS(extern template, base::Quad, 2)
-FPM_IN_SPACE_ERROR_CONSTANTS(extern template, base::Quad, 3)
+extern template Rows<base::Quad, 2> limit_stencils(const Formulation<base::Quad, 2>&, const Lattice<2>&);
+extern template LeadingError<base::Quad, 2> leading_error(const Stencil<base::Quad, 2>&,
+                                                          const MultiIndex<2>&);
+extern template Column<base::Quad> measured_constants(const Stencil<base::Quad, 2>&, const MultiIndex<2>&,
+                                                      int);
+extern template Rows<base::Quad, 3> limit_stencils(const Formulation<base::Quad, 3>&, const Lattice<3>&);
+extern template LeadingError<base::Quad, 3> leading_error(const Stencil<base::Quad, 3>&,
+                                                          const MultiIndex<3>&);
+extern template Column<base::Quad> measured_constants(const Stencil<base::Quad, 3>&, const MultiIndex<3>&,
+                                                      int);
 
 }  // namespace error_constants
 }  // namespace fpm_in_space

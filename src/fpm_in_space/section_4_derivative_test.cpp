@@ -8,8 +8,8 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "base/text.hpp"
+#include "particles/quality.hpp"
 #include "particles/requirement.hpp"
-#include "particles/spacing.hpp"
 
 namespace fpm_in_space::derivative_test {
 
@@ -74,34 +74,37 @@ Body<dim> body(Index n, double perturbation, unsigned long seed) {
     return {Cloud<dim>(x), on_sides};
 }
 
-template <int dim>
-std::string place_name(int sides) {
-    return sides == 0 ? "inside" : sides == dim ? "corner" : sides == dim - 1 ? "edge" : "face";
-}
-
 namespace {
 
-/// \param D rows of an operator, the first of which is that of particle `first`
+/// Compares a derivative at the particles of some rows, \eq{F16}.
+/// \param D rows of its operator, the first of which is that of particle `first`
+/// \param exact degree up to which polynomials are differentiated exactly
 template <int dim>
 void compare(const particles::Operator<double>& D, const Cloud<dim>& cloud, const Exponents<dim>& a,
              const Column<double>& values, const Function<dim>& B, const Column<double>& spacing, int exact,
              Index first, std::vector<AtParticle>& found) {
     base::for_each_index(D.rows(), [&](Index row) {
-        const Index i = first + row;
-        const int order = particles::order<dim>(a);
-        const double delta = spacing[spacing.size() == 1 ? 0 : i];
-        double sum = -B(cloud.x().col(i), a), R = 0;
-        for (typename particles::Operator<double>::InnerIterator entry(D, row); entry; ++entry) {
-            sum += entry.value() * (values[entry.col()] - values[i]);
-            double term = std::abs(entry.value()) * std::pow(delta, order);
-            for (int k = 1; k <= exact + 1; ++k)
-                term *= particles::distance(cloud, i, entry.col()) / delta / k;
-            R += term;
+        const Index i = first + row, count = D.outerIndexPtr()[row + 1] - D.outerIndexPtr()[row];
+        Column<double> w(count), difference(count);
+        particles::Offsets<double, dim> r(count, dim);
+        Index k = 0;
+        for (typename particles::Operator<double>::InnerIterator entry(D, row); entry; ++entry, ++k) {
+            w[k] = entry.value();
+            difference[k] = values[entry.col()] - values[i];
+            r.row(k) = (cloud.x().col(entry.col()) - cloud.x().col(i)).transpose();
         }
+        const double error = std::abs((w * difference).sum() - B(cloud.x().col(i), a));
+        if (!std::isfinite(error))
+            throw InvalidInput("a derivative of the function is not finite at particle " + std::to_string(i) +
+                               " (" + particles::position_in_words(cloud, i) + "); take another function");
         AtParticle& at = found[static_cast<std::size_t>(row)];
-        double& error = order == 1 ? at.first : at.second;
-        error = std::max(error, std::abs(sum));
-        if (order == 2) at.R = std::max(at.R, R);
+        if (particles::order<dim>(a) == 1) {
+            at.first = std::max(at.first, error);
+        } else {
+            const double delta = spacing[spacing.size() == 1 ? 0 : i];
+            at.second = std::max(at.second, error);
+            at.R = std::max(at.R, particles::quality<double, dim>(w * delta * delta, r / delta, exact));
+        }
     });
 }
 
@@ -171,8 +174,6 @@ template double exponential_and_wave<2>(const Point<2>&, const Exponents<2>&);
 template double exponential_and_wave<3>(const Point<3>&, const Exponents<3>&);
 template Body<2> body(Index, double, unsigned long);
 template Body<3> body(Index, double, unsigned long);
-template std::string place_name<2>(int);
-template std::string place_name<3>(int);
 template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 2>&, const Cloud<2>&,
                                                      const Smoothing<double, 2>&, const Column<double>&,
                                                      const Function<2>&, const std::vector<Range>&);

@@ -21,24 +21,25 @@ namespace fpm_in_space {
 /// | \f$\delta\f$ | `cloud.spacing()` | their distance, \f$1/(n-1)\f$ |
 /// | \f$a\f$ | `perturbation` | amplitude of their random displacement, in units of δ |
 /// | \f$B\f$ | `Function` | the function, with its derivatives |
-/// | \f$R\f$ | `AtParticle::R` | quality number of a row, particles::quality() |
+/// | \f$R\f$ | `AtParticle::R` | quality number, \f$\sum_j \lvert w_j\rvert\,\lvert r_j\rvert^{m+1}/(m+1)!\f$, see particles::quality() |
 ///
 /// The first paper's Section 5.1 asks for the worst particle, and finds it at the boundary. In space a
 /// boundary has several kinds of places: an edge and a corner in the plane; a face, an edge and a corner in
 /// space. A particle at a corner sees a quarter or an eighth of what one inside sees. The test therefore
 /// says the largest error of each place.
 ///
-/// Each particle is differentiated on its own, so that a sample of the particles will do. No operator is
-/// stored: those of 48³ particles would fill two gigabytes.
+/// Each particle is differentiated on its own, so that a sample of the particles will do. The operators are
+/// made some hundred rows at a time: those of all 48³ particles would fill two gigabytes.
 ///
 /// \image html fpm_in_space_figure_plane.svg "Largest errors of the second derivatives in the plane, by place."
 /// \image html fpm_in_space_figure_space.svg "The same in space."
 ///
 /// **Does a number without a solution predict the error?** The figure has two errors on the layouts of
 /// particles around the hole of the second paper. At each particle, the error of the derivatives of ln r
-/// stands below the bound that the quality number R gives with the size of the fourth derivatives, and follows
-/// it. The error of a solution by collocation does not follow R: there the layouts differ by unknowns that
-/// alternate from particle to particle, the noise, which R cannot see.
+/// stands below the bound that the quality number R gives with the size of the fourth derivatives, and goes
+/// with it; R alone says much less. The error of a solution by collocation does not go with the largest R of
+/// its rows: there the layouts differ by unknowns that alternate from particle to particle, the noise, which
+/// R cannot see.
 ///
 /// \image html fpm_in_space_figure_quality.svg "Errors of derivatives, and of solutions by collocation, against the quality number R."
 ///
@@ -58,8 +59,8 @@ template <int dim>
 using Function = std::function<double(const Point<dim>&, const Exponents<dim>&)>;
 
 /// The function of the test, without symmetries of the square and the cube. \defeq{F14}
-/// \f[ B(x) = e^{c \cdot x} + \sin(k \cdot x), \qquad c = (1, \tfrac12, -\tfrac{3}{10}),\ k = (1, 2, \tfrac32)
-///     \tag{F14} \f]
+/// \f[ B(x) = e^{c \cdot x} + \sin(k \cdot x), \qquad c = (1, \tfrac12, -\tfrac{3}{10}),
+///     \ k = (1, 2, \tfrac32) \tag{F14} \f]
 /// in the plane without the third coordinate.
 template <int dim>
 double exponential_and_wave(const Point<dim>& x, const Exponents<dim>& a);
@@ -79,11 +80,6 @@ struct Body {
 /// \throws base::InvalidInput for n < 3 and a perturbation outside [0, 1/2)
 template <int dim>
 Body<dim> body(Index n, double perturbation, unsigned long seed);
-
-/// "inside", "edge", "corner" in the plane; "inside", "face", "edge", "corner" in space.
-/// \param sides how many sides the place lies on
-template <int dim>
-std::string place_name(int sides);
 
 /// What the test finds at a particle.
 struct AtParticle {
@@ -115,8 +111,6 @@ extern template double exponential_and_wave<2>(const Point<2>&, const Exponents<
 extern template double exponential_and_wave<3>(const Point<3>&, const Exponents<3>&);
 extern template Body<2> body(Index, double, unsigned long);
 extern template Body<3> body(Index, double, unsigned long);
-extern template std::string place_name<2>(int);
-extern template std::string place_name<3>(int);
 extern template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 2>&, const Cloud<2>&,
                                                             const Smoothing<double, 2>&,
                                                             const particles::Column<double>&,

@@ -38,12 +38,6 @@ struct Place {
     }
 };
 
-std::vector<std::string> kernel_names() {
-    std::vector<std::string> names;
-    particles::for_each_kernel([&](const auto& kernel) { names.push_back(particles::name(kernel)); });
-    return names;
-}
-
 /// The particles at the end and in the interior, for both derivatives.
 /// \throws base::InvalidInput for a name that is not known, and a smoothing length that no stencil can have
 void add_places(std::vector<Place>& all, Place place) {
@@ -62,7 +56,7 @@ std::vector<Place> places(const Lists& lists) {
     for (const std::string& formulation :
          chosen("formulation", lists.formulations, command_line::formulation_names(),
                 command_line::names_beside_all()))
-        for (const std::string& kernel : chosen("kernel", lists.kernels, kernel_names()))
+        for (const std::string& kernel : chosen("kernel", lists.kernels, command_line::kernel_names()))
             for (const double smoothing : lists.smoothings)
                 for (const std::string& convention : lists.volumes)
                     add_places(all, {formulation, kernel, convention, smoothing, {}, 1});

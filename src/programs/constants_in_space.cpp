@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "command_line/formulations.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
 #include "command_line/progress.hpp"
@@ -35,12 +36,6 @@ struct Options {
     std::string output;
 };
 
-std::vector<std::string> kernel_names() {
-    std::vector<std::string> names;
-    particles::for_each_kernel([&](const auto& kernel) { names.push_back(particles::name(kernel)); });
-    return names;
-}
-
 /// What is computed at once: a formulation at a place of a lattice.
 struct Case {
     long dimension;
@@ -60,8 +55,7 @@ struct Case {
                        : error_constants::reach_in_spacings(lattice<3>());
     }
     [[nodiscard]] std::string place() const {
-        return std::string(dimension == 2 ? error_constants::place<2>(bounded)
-                                          : error_constants::place<3>(bounded));
+        return dimension == 2 ? fpm_in_space::place<2>(bounded) : fpm_in_space::place<3>(bounded);
     }
 };
 
@@ -70,7 +64,7 @@ std::vector<Case> cases(const Options& options) {
     using command_line::chosen;
     const std::vector<std::string> kernels =
         options.cut < no_cut ? std::vector<std::string>{std::string(particles::TruncatedGaussian<2>::name)}
-                             : chosen("kernel", options.kernels, kernel_names());
+                             : chosen("kernel", options.kernels, command_line::kernel_names());
     std::vector<Case> all;
     for (const long dimension : options.symbol ? std::vector<long>{2} : options.dimensions)
         for (const std::string& formulation :
@@ -258,9 +252,10 @@ int main(int argc, char** argv) {
     app.add_list("--formulation", options.formulations,
                  "formulations: all, or some of " + command_line::joined(formulation_names()) +
                      " (default definite_fpm,ssph,cubic_ssph)");
-    const auto kernel = app.add_list(
-        "--kernel", options.kernels,
-        "kernels: all, or some of " + command_line::joined(kernel_names()) + " (default gaussian)");
+    const auto kernel =
+        app.add_list("--kernel", options.kernels,
+                     "kernels: all, or some of " + command_line::joined(command_line::kernel_names()) +
+                         " (default gaussian)");
     app.add_list("--smoothing", options.smoothings, "smoothing lengths over spacing, h/delta (default 1)");
     app.add_option("--cut", options.cut, "the kernel is a Gaussian lowered to zero at this many h")
         .type_name("RHO")

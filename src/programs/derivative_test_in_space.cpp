@@ -7,6 +7,7 @@
 
 #include "base/memory.hpp"
 #include "base/text.hpp"
+#include "command_line/formulations.hpp"
 #include "command_line/layouts.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
@@ -43,7 +44,8 @@ struct Options {
     bool median = false, states = false;
     long sample = 0;
     std::optional<std::string> kernel, function;
-    double cut = 0, smoothing = 1.2;
+    std::optional<std::string> cut;
+    double smoothing = 1.2;
     std::string smoothing_from = "mean";
     particles::Spacing spacing = particles::Spacing::mean;
     int threads = 0;
@@ -67,15 +69,15 @@ bool is_drawn(const std::string& layout, double perturbation) {
     return is_grid(layout) ? perturbation != 0 : !is_file(layout) && command_line::is_drawn(layout);
 }
 
-/// What is computed at once: one cloud, one formulation.
+/// Particles of which all formulations are computed.
 struct Case {
-    std::string formulation, layout;
+    std::string layout;
     double perturbation;
     long n;  ///< particles along a side of a grid
     unsigned long seed;
 };
 
-/// The cases that differ in their seeds only are one row with --median.
+/// The cases that differ in their seeds only: one row with --median.
 struct Group {
     Case first;
     unsigned long seeds;
@@ -83,19 +85,13 @@ struct Group {
 
 std::vector<Group> groups(const Options& options) {
     std::vector<Group> all;
-    for (const std::string& formulation :
-         command_line::chosen("formulation", options.formulations, formulation_names()))
-        for (const std::string& layout : options.layouts)
-            for (const double perturbation : is_grid(layout) ? options.perturbations : std::vector<double>{0})
-                for (const long n : is_grid(layout) ? options.particles : std::vector<long>{0}) {
-                    const unsigned long seeds = is_drawn(layout, perturbation) ? options.seeds : 1;
-                    const Case one{formulation, layout, perturbation, n, options.seed};
-                    if (options.median)
-                        all.push_back({one, seeds});
-                    else
-                        for (unsigned long k = 0; k < seeds; ++k)
-                            all.push_back({{formulation, layout, perturbation, n, options.seed + k}, 1});
-                }
+    for (const std::string& layout : options.layouts)
+        for (const double perturbation : is_grid(layout) ? options.perturbations : std::vector<double>{0})
+            for (const long n : is_grid(layout) ? options.particles : std::vector<long>{0}) {
+                const unsigned long seeds = is_drawn(layout, perturbation) ? options.seeds : 1;
+                for (unsigned long k = 0; k < (options.median ? 1 : seeds); ++k)
+                    all.push_back({{layout, perturbation, n, options.seed + k}, options.median ? seeds : 1});
+            }
     return all;
 }
 
@@ -108,6 +104,10 @@ std::vector<Case> cases(const std::vector<Group>& groups) {
             all.back().seed += k;
         }
     return all;
+}
+
+std::vector<std::string> wanted(const Options& options) {
+    return command_line::chosen("formulation", options.formulations, formulation_names());
 }
 
 /// Particles, and those that lie at each place.
@@ -129,25 +129,25 @@ Placed<dim> placed(const Options& options, const Case& one) {
         return all_of<dim>(command_line::read_points<dim>("--layout", one.layout, options.columns,
                                                           dim == 2 ? "a layout" : "a layout in space"));
     if (!is_grid(one.layout)) {
-        if constexpr (dim == 2) {
-            const command_line::Layouts layouts({one.layout}, {}, 0, options.smoothing);
-            return all_of<2>(layouts.around({}, one.layout, one.seed).x);
-        }
-        throw InvalidInput("--layout " + one.layout + " lies in the plane; leave --dimension 3 out");
+        const command_line::Layouts layouts({one.layout}, {}, 0, options.smoothing);
+        if constexpr (dim == 2) return all_of<2>(layouts.around({}, one.layout, one.seed).x);
     }
     auto [cloud, on_sides] = derivative_test::body<dim>(one.n, one.perturbation, one.seed);
     std::vector<std::pair<std::string, Range>> places;
     for (int sides = 0; sides <= dim; ++sides) {
         Range range = on_sides[static_cast<std::size_t>(sides)];
         if (options.sample > 0) range.last = std::min(range.last, range.first + options.sample);
-        places.emplace_back(derivative_test::place_name<dim>(sides), range);
+        places.emplace_back(fpm_in_space::place<dim>(sides), range);
     }
     return {std::move(cloud), places};
 }
 
 /// The radius at which the Gaussian is lowered to zero, unless another kernel was asked for.
 double cut_of(const Options& options) {
-    return options.cut > 0 ? options.cut : options.dimension == 2 ? 3.5 : 3;
+    if (!options.cut) return options.dimension == 2 ? 3.5 : 3;
+    const double cut = command_line::number("--cut", *options.cut);
+    if (!(cut > 0)) throw InvalidInput("--cut must be positive, got " + shown(cut));
+    return cut;
 }
 
 template <int dim>
@@ -157,7 +157,8 @@ particles::Kernel<dim> kernel_of(const Options& options) {
 }
 
 /// The user's function, or that of the text. A second derivative in two coordinates follows from those along
-/// the axes and between them: \f$2\,\partial_{12} f = \partial^2_{1+2} f - \partial_{11} f - \partial_{22} f\f$.
+/// the axes and between them:
+/// \f[ 2\,\partial_{12} f = \partial^2_{1+2} f - \partial_{11} f - \partial_{22} f \f]
 template <int dim>
 derivative_test::Function<dim> function_of(const Options& options) {
     if (!options.function) return derivative_test::exponential_and_wave<dim>;
@@ -182,23 +183,23 @@ derivative_test::Function<dim> function_of(const Options& options) {
     };
 }
 
-/// What is found at each place of a case.
+/// What a formulation finds at each place.
 template <int dim>
-std::vector<std::vector<AtParticle>> found(const Options& options, const Case& one,
+std::vector<std::vector<AtParticle>> found(const Options& options, const std::string& formulation,
                                            const Placed<dim>& particles,
                                            const derivative_test::Function<dim>& B) {
     const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
     const particles::Smoothing<double, dim> smoothing(kernel_of<dim>(options), spacing, options.smoothing);
     std::vector<Range> ranges;
     for (const auto& [name, range] : particles.places) ranges.push_back(range);
-    return derivative_test::errors(formulation_named<double, dim>(one.formulation), particles.cloud,
-                                   smoothing, spacing, B, ranges);
+    return derivative_test::errors(formulation_named<double, dim>(formulation), particles.cloud, smoothing,
+                                   spacing, B, ranges);
 }
 
-/// Cells that name a case.
-std::vector<Cell> named(const Case& one) {
+/// Cells that name a formulation on the particles of a case.
+std::vector<Cell> named(const std::string& formulation, const Case& one) {
     const bool grid = is_grid(one.layout);
-    return {one.formulation,
+    return {formulation,
             one.layout,
             grid ? Cell(one.n) : Cell(),
             grid ? Cell(1 / static_cast<double>(one.n - 1)) : Cell(),
@@ -213,11 +214,9 @@ const std::vector<report::ColumnHead> measured{
 /// The comments of a table.
 std::vector<std::string> comments(const Options& options, const std::string& what) {
     std::string equations;
-    for (const auto& formulation : formulations<double, 2>())
-        if (const auto all = command_line::chosen("formulation", options.formulations, formulation_names());
-            std::find(all.begin(), all.end(), formulation.name) != all.end())
-            equations += (equations.empty() ? "" : ", ") + std::string(formulation.name) + " " +
-                         std::string(formulation.equations);
+    for (const std::string& name : wanted(options))
+        equations += (equations.empty() ? "" : ", ") + name + " " +
+                     std::string(formulation_named<double, 2>(name).equations);
     return {"FPM in space, Section 4: " + what + " for B = " +
                 options.function.value_or(options.dimension == 2 ? "exp(x+y/2)+sin(x+2*y)"
                                                                  : "exp(x+y/2-0.3*z)+sin(x+2*y+1.5*z)"),
@@ -238,36 +237,46 @@ template <int dim>
 std::vector<std::string> places_of(const std::string& layout) {
     if (!is_grid(layout)) return {"all"};
     std::vector<std::string> names;
-    for (int sides = 0; sides <= dim; ++sides) names.push_back(derivative_test::place_name<dim>(sides));
+    for (int sides = 0; sides <= dim; ++sides) names.push_back(fpm_in_space::place<dim>(sides));
     return names;
 }
 
-/// How many particles there are at each place, and the largest of what is found there: the columns `measured`.
+/// How many particles there are at each place, and the largest of what is found there, in the columns
+/// `measured`: for each formulation.
 template <int dim>
-std::vector<Cell> numbers(const Options& options, const Case& one, const derivative_test::Function<dim>& B) {
-    std::vector<Cell> cells;
-    for (const std::vector<AtParticle>& there : found<dim>(options, one, placed<dim>(options, one), B)) {
-        const AtParticle most = derivative_test::largest(there);
-        cells.insert(cells.end(), {static_cast<long>(there.size()), most.first, most.second, most.R});
+std::vector<Attempt> attempts_at(const Options& options, const Case& one,
+                                 const derivative_test::Function<dim>& B) {
+    std::optional<Placed<dim>> particles;
+    const auto failure = command_line::failure_of([&] { particles = placed<dim>(options, one); });
+    std::vector<Attempt> attempts;
+    for (const std::string& formulation : wanted(options)) {
+        Attempt& attempt = attempts.emplace_back();
+        attempt.failure = failure ? failure : command_line::failure_of([&] {
+            for (const std::vector<AtParticle>& there : found<dim>(options, formulation, *particles, B)) {
+                const AtParticle most = derivative_test::largest(there);
+                attempt.numbers.insert(attempt.numbers.end(),
+                                       {static_cast<long>(there.size()), most.first, most.second, most.R});
+            }
+        });
     }
-    return cells;
+    return attempts;
 }
 
 /// The rows of a group, one for each place: the largest errors, with --median their medians and quartiles.
-/// \param attempts those at its cases, from the first on
+/// \param attempts those at its cases
 template <int dim>
-std::vector<std::vector<Cell>> rows(const Options& options, const Group& group,
-                                    const std::vector<Attempt>& attempts, std::size_t first) {
+std::vector<std::vector<Cell>> rows(const Options& options, const std::string& formulation,
+                                    const Group& group, const std::vector<Attempt>& attempts) {
     std::vector<std::vector<Cell>> table;
     const std::vector<std::string> places = places_of<dim>(group.first.layout);
     for (std::size_t place = 0; place < places.size(); ++place) {
         const std::size_t at = place * (1 + measured.size());
-        std::vector<Cell> row = named(group.first), spread{static_cast<long>(group.seeds)};
-        row.insert(row.end(), {places[place], attempts[first].numbers[at]});
+        std::vector<Cell> row = named(formulation, group.first), spread{static_cast<long>(group.seeds)};
+        row.insert(row.end(), {places[place], attempts.front().numbers[at]});
         for (std::size_t column = 1; column <= measured.size(); ++column) {
             std::vector<double> sample;
-            for (std::size_t k = first; k < first + group.seeds; ++k)
-                sample.push_back(std::get<double>(attempts[k].numbers[at + column]));
+            for (const Attempt& attempt : attempts)
+                sample.push_back(std::get<double>(attempt.numbers[at + column]));
             const auto [lower, median, upper] = report::quartiles(sample);
             row.emplace_back(median);
             spread.insert(spread.end(), {lower, upper});
@@ -278,8 +287,20 @@ std::vector<std::vector<Cell>> rows(const Options& options, const Group& group,
     return table;
 }
 
+/// \throws base::InvalidInput for files that cannot be read
+template <int dim>
+void check_files(const Options& options) {
+    for (const std::string& layout : options.layouts) {
+        if (!is_file(layout)) continue;
+        command_line::check_apart(
+            {{"--layout", layout}, {"--output", options.output}, {"--plot", options.figure.path}});
+        static_cast<void>(placed<dim>(options, {layout, 0, 0, 1}));
+    }
+}
+
 template <int dim>
 report::Table table_of(const Options& options) {
+    check_files<dim>(options);
     report::Table table;
     table.comments = comments(options, "largest errors of the first and second derivatives by place");
     table.columns = naming;
@@ -293,17 +314,21 @@ report::Table table_of(const Options& options) {
     }
     const std::vector<Group> all = groups(options);
     const auto B = function_of<dim>(options);
-    const std::vector<Attempt> attempts = command_line::attempts_in_parallel(
-        cases(all), [&](const Case& one) { return numbers<dim>(options, one, B); });
+    const auto attempts = command_line::computed_in_parallel(
+        cases(all), [&](const Case& one) { return attempts_at<dim>(options, one, B); });
+    const std::vector<std::string> formulations = wanted(options);
     command_line::Sweep sweep(table, naming.size());
-    std::size_t first = 0;
-    for (const Group& group : all) {
-        const std::size_t last = first + group.seeds;
-        if (const auto failure = command_line::failure_of_seeds(attempts, first, last, group.first.seed))
-            sweep.add_failed(named(group.first), *failure);
-        else
-            sweep.add(rows<dim>(options, group, attempts, first));
-        first = last;
+    for (std::size_t f = 0; f < formulations.size(); ++f) {
+        std::size_t at = 0;
+        for (const Group& group : all) {
+            std::vector<Attempt> of_group;
+            for (unsigned long k = 0; k < group.seeds; ++k) of_group.push_back(attempts[at++][f]);
+            if (const auto failure =
+                    command_line::failure_of_seeds(of_group, 0, of_group.size(), group.first.seed))
+                sweep.add_failed(named(formulations[f], group.first), *failure);
+            else
+                sweep.add(rows<dim>(options, formulations[f], group, of_group));
+        }
     }
     sweep.finish();
     const bool grids = std::all_of(options.layouts.begin(), options.layouts.end(), is_grid);
@@ -318,36 +343,39 @@ report::Table table_of(const Options& options) {
 /// A row for each particle: its place, its position and what is found there.
 template <int dim>
 report::Table states_of(const Options& options) {
+    check_files<dim>(options);
     report::Table table;
     table.comments = comments(options, "errors of the derivatives at each particle");
     table.columns = naming;
     table.columns.insert(table.columns.end(), {{"place"}, {"particle"}});
     for (const std::string& axis : axes(dim)) table.columns.push_back({axis});
     table.columns.insert(table.columns.end(), measured.begin(), measured.end());
-    const auto all = groups(options);
+    const std::vector<Case> all = cases(groups(options));
+    const std::vector<std::string> formulations = wanted(options);
     const auto B = function_of<dim>(options);
     command_line::Sweep sweep(table, naming.size());
-    command_line::Progress progress(all.size());
-    for (const Group& group : all) {
-        const std::vector<Cell> name = named(group.first);
-        sweep.attempt(name, [&] {
-            const auto particles = placed<dim>(options, group.first);
-            const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
-            const auto at = found<dim>(options, group.first, particles, B);
-            std::vector<std::vector<Cell>> states;
-            for (std::size_t place = 0; place < at.size(); ++place)
-                for (const auto& [i, first, second, R] : at[place]) {
-                    std::vector<Cell> row = name;
-                    row[3] = spacing[spacing.size() == 1 ? 0 : i];
-                    row.insert(row.end(), {particles.places[place].first, static_cast<long>(i)});
-                    for (const double x : particles.cloud.x().col(i)) row.emplace_back(x);
-                    row.insert(row.end(), {first, second, R});
-                    states.push_back(std::move(row));
-                }
-            return states;
-        });
-        progress.step();
-    }
+    command_line::Progress progress(formulations.size() * all.size());
+    for (const std::string& formulation : formulations)
+        for (const Case& one : all) {
+            const std::vector<Cell> name = named(formulation, one);
+            sweep.attempt(name, [&] {
+                const auto particles = placed<dim>(options, one);
+                const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
+                const auto at = found<dim>(options, formulation, particles, B);
+                std::vector<std::vector<Cell>> states;
+                for (std::size_t place = 0; place < at.size(); ++place)
+                    for (const auto& [i, first, second, R] : at[place]) {
+                        std::vector<Cell> row = name;
+                        row[3] = spacing[spacing.size() == 1 ? 0 : i];
+                        row.insert(row.end(), {particles.places[place].first, static_cast<long>(i)});
+                        for (const double x : particles.cloud.x().col(i)) row.emplace_back(x);
+                        row.insert(row.end(), {first, second, R});
+                        states.push_back(std::move(row));
+                    }
+                return states;
+            });
+            progress.step();
+        }
     sweep.finish();
     return table;
 }
@@ -367,6 +395,8 @@ void check(const Options& options) {
         if (given) throw InvalidInput(option + " changes nothing without " + without);
     };
     const std::string other = "a perturbed grid or a graded layout; add --perturb 0.25, say";
+    static_cast<void>(cut_of(options));
+    static_cast<void>(wanted(options));
     refuse_idle("--seeds", options.seeds > 1 && !drawn, other);
     refuse_idle("--seed", options.seed != 1 && !drawn, other);
     refuse_idle("--columns", !options.columns.empty() && !file, "a --layout FILE");
@@ -382,8 +412,7 @@ void check(const Options& options) {
     if (options.figure.path.empty()) return;
     const std::size_t clouds =
         layouts.size() * options.perturbations.size() * options.seeds * (grid ? options.particles.size() : 1);
-    const auto names = command_line::chosen("formulation", options.formulations, formulation_names());
-    if (options.states && (clouds > 1 || names.size() > 1))
+    if (options.states && (clouds > 1 || wanted(options).size() > 1))
         throw InvalidInput(
             "--states --plot draws the errors of one formulation on one cloud; take one --formulation, one number of --particles, one perturbation and one seed");
     if (!options.states && (!grid || layouts.size() > 1))
@@ -432,13 +461,12 @@ int main(int argc, char** argv) {
                    "at most so many random particles of each place of a grid (default 0: all)")
         .type_name("K")
         .within(0, 1000000000);
-    std::vector<std::string> kernels;
-    particles::for_each_kernel([&](const auto& kernel) { kernels.push_back(particles::name(kernel)); });
     const auto cut =
         app.add_option("--cut", options.cut,
                        "the kernel is a Gaussian lowered to zero at this many h (default 3.5; in space 3)")
             .type_name("RHO");
-    app.add_option("--kernel", options.kernel, "another kernel: one of " + command_line::joined(kernels))
+    app.add_option("--kernel", options.kernel,
+                   "another kernel: one of " + command_line::joined(command_line::kernel_names()))
         .type_name("NAME")
         .excludes(cut);
     app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1.2)")

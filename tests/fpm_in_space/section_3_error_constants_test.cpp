@@ -383,9 +383,9 @@ TEST_CASE("(F13): the second-order FPM gives every wave a frequency, SSPH nearly
     CHECK(least("definite_fpm", 1) > 0.1);
     CHECK(least("definite_fpm", 2) > 0.025);
     CHECK(least("definite_fpm", 2) == relative(-symbol_at("definite_fpm", 2, pi, pi) / (2 * pi * pi), 1e-9));
-    CHECK(least("cubic_ssph", 2) < 1e-4);
+    CHECK(least("cubic_ssph", 2) < 1e-6);
     CHECK(least("cubic_ssph", 2) > 0);
-    CHECK(least("definite_fpm", 2) > 250 * least("cubic_ssph", 2));
+    CHECK(least("definite_fpm", 2) > 0.01);
     CHECK(symbol_at("ssph", 1.5, 1, 2) == relative(symbol_at("cubic_ssph", 1.5, 1, 2), 1e-12));
 }
 
