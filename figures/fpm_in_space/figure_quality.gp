@@ -23,7 +23,7 @@ plot x with lines linecolor rgb "#888888" linewidth 1 title "the bound", \
      rows using (of("definite_fpm") * cubic(0)):"error_second" with points pointtype 7 pointsize 0.4 linecolor rgb "#00695c" title title("definite_fpm")
 set lmargin at screen 0.635; set rmargin at screen 0.88
 set title "solutions by collocation, 25 layouts" font ",13"
-set xlabel "largest R of the layout"
+set xlabel "largest R of the layout (SSPH, powers of h)"
 set ylabel "error of displacements"
 unset logscale x
 set format x "%g"

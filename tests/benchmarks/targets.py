@@ -20,7 +20,7 @@ def number(row, column):
 
 folder, page = map(pathlib.Path, sys.argv[1:])
 measured = {}
-for table in ("asprone2010", "batra2008"):
+for table in ("asprone2010", "batra2008", "fpm_in_space"):
     for row in rows(folder / f"{table}.csv"):
         measured[row["task"], row["method"], int(row["particles"]), int(row["threads"])] = row
 
@@ -67,7 +67,21 @@ line("plate in all, strong, 10⁵, 2", "10 s", "plate in all", "strong", 10**5, 
 for weak in ("weak1", "weak2"):
     line(f"plate in all, {weak}, 10⁵, 2", "", "plate in all", weak, 10**5, 2, 1e-9, "s")
 
+operations = ["| weights of a particle, one thread | time | over SSPH, m = 3 | over SSPH, m = 2 | operations | over SSPH, m = 3 | over SSPH, m = 2 |",
+              "| --- | --- | --- | --- | --- | --- | --- |"]
+for task in ("weights in the plane", "weights in space"):
+    of = {key[1]: row for key, row in measured.items() if key[0] == task}
+    for method in ("definite_fpm", "cubic_ssph", "ssph"):
+        cells = []
+        for column, scale, unit in (("nanoseconds", 1e-3, " µs"), ("operations", 1, "")):
+            value = number(of[method], column)
+            cells.append(f"{value * scale:.3g}{unit}" if unit else f"{value:.0f}")
+            cells += [f"{value / number(of[other], column):.2f}" for other in ("cubic_ssph", "ssph")]
+        operations.append(f"| {task[len('weights '):]}, `{method}` | " + " | ".join(cells) + " |")
+
 begin, end = "<!-- the table of speed is written by make bench -->\n", "<!-- end of the table of speed -->"
 text = page.read_text(encoding="utf-8")
-table = begin + "\n".join(lines) + "\n" + end
-page.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: table, text, flags=re.S), encoding="utf-8")
+for begin, lines, end in ((begin, lines, end), ("<!-- the table of operations is written by make bench -->\n", operations, "<!-- end of the table of operations -->")):
+    table = begin + "\n".join(lines) + "\n" + end
+    text = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: table, text, flags=re.S)
+page.write_text(text, encoding="utf-8")
