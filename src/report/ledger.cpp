@@ -87,7 +87,8 @@ Table judged(const Table& claims, const Paper& paper, const Computations& comput
         const Computation& measure = computation_of(word("id"), computations);
         const Statement stated = statement(claims, row);
         const auto with_one = measure(stated, 0), with_other = measure(stated, 1);
-        const auto [verdict, conditional] = decided(stated, paper.conventions, with_one, with_other);
+        const auto [verdict, conditional] =
+            decided(stated, paper.conventions, with_one, with_other.empty() ? with_one : with_other);
         const bool definition = word("kind") == "definition" && verdict == "reproduced";
         table.rows.push_back(
             {word("id"), word("section"), word("claim"), word("quantity"), shown(stated),

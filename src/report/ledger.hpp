@@ -14,7 +14,8 @@ namespace report {
 
 /// Measures the quantity of a claim under one of the two conventions of its paper, 0 or 1: first for the
 /// claim as it stands, then for readings that add a condition. The statement is what the paper says; it
-/// serves those computations that pick, of several measured numbers, the nearest to it.
+/// serves those computations that pick, of several measured numbers, the nearest to it. Nothing under
+/// convention 1: it has no bearing on the claim, which convention 0 decides.
 using Computation = std::function<std::vector<Measurement>(const Statement&, std::size_t convention)>;
 
 /// Computations by the id of the claim that each decides.

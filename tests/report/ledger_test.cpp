@@ -63,6 +63,18 @@ TEST_CASE("ledger: the number of a condition is that of the reading which the ve
     CHECK(table.word(0, "conditional") == "-3");
 }
 
+TEST_CASE("ledger: a claim on which the second convention has no bearing is decided by the first alone") {
+    const Computation once = [](const Statement&, std::size_t convention) {
+        return convention == 0 ? std::vector<Measurement>{{"", 2}} : std::vector<Measurement>{};
+    };
+    const Table table = judged(claims("a,2,,is two,a number,=,2,0\nb,2,,is three,a number,=,3,0\n"), paper,
+                               {{"a", once}, {"b", once}}, [] {});
+    CHECK(table.word(0, "verdict") == "reproduced");
+    CHECK(table.word(0, "measured_equal") == "2");
+    CHECK(table.word(0, "measured_tiled").empty());
+    CHECK(table.word(1, "verdict") == "differs");
+}
+
 TEST_CASE("ledger: a range stands in two columns, and a definition is named as one, if it holds") {
     const Computation range = [](const Statement&, std::size_t) {
         return std::vector<Measurement>{{"", 1}, {"it lies between", 1, 3}};
