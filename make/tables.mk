@@ -67,8 +67,8 @@ $(foreach table,$(tables),$(eval $(table): $(call program_of,$(table))))
 $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 # The claims about the hole are decided on the family of layouts.
 data/batra2008/claims.csv: data/batra2008/layouts.csv
-# Those about the quality number, on tables of derivatives and of solutions.
-data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space rows layouts)
+# Those about FPM in space, on tables of derivatives and of solutions.
+data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space literal rows layouts)
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	rm -f $@.tmp.*

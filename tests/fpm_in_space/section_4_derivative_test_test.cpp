@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "base/errors.hpp"
+#include "fpm_in_space/claims/measures.hpp"
 #include "tests/relative.hpp"
 
 using namespace fpm_in_space;
@@ -28,9 +30,10 @@ std::vector<Range> places_of(const Body<dim>& body) {
     return {body.on_sides.begin(), body.on_sides.end()};
 }
 
-/// The errors of the second-order FPM by place; h = 1.2 δ, the Gaussian lowered to zero at 3h.
+/// The errors of a formulation by place; h = 1.2 δ, the Gaussian lowered to zero at 3h.
 template <int dim>
-std::vector<AtParticle> largest_errors(Index n, double perturbation, unsigned long seed, Index sample) {
+std::vector<AtParticle> largest_errors(Index n, double perturbation, unsigned long seed, Index sample,
+                                       std::string_view formulation = "definite_fpm") {
     const Body<dim> cube = body<dim>(n, perturbation, seed);
     const double delta = 1 / static_cast<double>(n - 1);
     const Smoothing<double, dim> smoothing(particles::TruncatedGaussian<dim>(3), 1.2 * delta);
@@ -38,7 +41,7 @@ std::vector<AtParticle> largest_errors(Index n, double perturbation, unsigned lo
     for (Range& place : places) place.last = std::min(place.last, place.first + sample);
     std::vector<AtParticle> all;
     for (const auto& there :
-         errors(formulation_named<double, dim>("definite_fpm"), cube.cloud, smoothing,
+         errors(formulation_named<double, dim>(formulation), cube.cloud, smoothing,
                 particles::Column<double>::Constant(1, delta), exponential_and_wave<dim>, places))
         all.push_back(largest(there));
     return all;
@@ -110,31 +113,81 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("derivative test in space, (F16): largest errors on grids are those of a calculation in NumPy") {
-    const Body<2> square = body<2>(31, 0, 1);
-    const Smoothing<double, 2> smoothing(particles::Gaussian<2>{}, 1.0 / 30);
-    const auto error = [&](const char* formulation) {
-        return largest(errors(formulation_named<double, 2>(formulation), square.cloud, smoothing,
-                              particles::Column<double>::Constant(1, 1.0 / 30), exponential_and_wave<2>,
-                              {Range{0, square.cloud.size()}})[0]);
-    };
-    CHECK(error("definite_fpm").first == support::relative(3.565e-3, 1e-3));
-    CHECK(error("definite_fpm").second == support::relative(1.401e-2, 1e-3));
+namespace {
+
+/// Largest errors of a formulation on a grid of n × n particles, h = δ.
+AtParticle on_grid(const Formulation<double, 2>& formulation, Index n) {
+    const Body<2> square = body<2>(n, 0, 1);
+    const double delta = 1 / static_cast<double>(n - 1);
+    return largest(errors<2>(formulation, square.cloud, {particles::Gaussian<2>{}, delta},
+                             particles::Column<double>::Constant(1, delta), exponential_and_wave<2>,
+                             {{0, square.cloud.size()}})[0]);
 }
 
-TEST_CASE("derivative test in space: second order at edges and corners of perturbed particles") {
-    const auto orders = [](const auto& coarse, const auto& fine, double finer) {
-        std::vector<double> all;
-        for (std::size_t k = 0; k < coarse.size(); ++k)
-            all.push_back(std::log(coarse[k].second / fine[k].second) / std::log(finer));
-        return all;
-    };
-    for (const double order :
-         orders(largest_errors<2>(31, 0.25, 1, 100), largest_errors<2>(121, 0.25, 1, 100), 4))
-        CHECK(order == support::relative(2, 0.15));
-    for (const double order :
-         orders(largest_errors<3>(12, 0.25, 1, 60), largest_errors<3>(34, 0.25, 1, 60), 3))
-        CHECK(order == support::relative(2, 0.2));
+}  // namespace
+
+TEST_CASE("derivative test in space, (F16): largest errors on grids are those of a calculation in NumPy") {
+    const auto& formulation = formulation_named<double, 2>("definite_fpm");
+    const AtParticle coarse = on_grid(formulation, 16), middle = on_grid(formulation, 31),
+                     fine = on_grid(formulation, 61);
+    CHECK(coarse.first == support::relative(1.347e-2, 1e-3));
+    CHECK(coarse.second == support::relative(5.688e-2, 1e-3));
+    CHECK(middle.first == support::relative(3.565e-3, 1e-3));
+    CHECK(middle.second == support::relative(1.401e-2, 1e-3));
+    CHECK(fine.first == support::relative(9.098e-4, 1e-3));
+    CHECK(fine.second == support::relative(3.473e-3, 1e-3));
+}
+
+TEST_CASE(
+    "derivative test in space: errors of SSPH with the value given are those of that calculation, too, of second order in second derivatives from degree 3 on") {
+    const Formulation<double, 2> quadratic{
+        "quadratic", "", 6, {2, 2}, claims::ssph_with_value_given<2, double, 2>};
+    const Formulation<double, 2> cubic{"cubic", "", 10, {3, 3}, claims::ssph_with_value_given<3, double, 2>};
+    const AtParticle coarse = on_grid(quadratic, 16), middle = on_grid(quadratic, 31),
+                     fine = on_grid(quadratic, 61), by_cubic = on_grid(cubic, 61);
+    CHECK(middle.first == support::relative(4.197e-3, 1e-3));
+    CHECK(middle.second == support::relative(3.340e-1, 1e-3));
+    CHECK(std::log2(coarse.second / fine.second) / 2 == support::relative(0.98, 0.01));
+    CHECK(by_cubic.first == support::relative(1.474e-5, 1e-3));
+    CHECK(by_cubic.second == support::relative(3.473e-3, 1e-3));
+}
+
+namespace {
+
+/// Checks the orders of both derivatives at each place. \param finer ratio of the spacings
+void check_second_order(const std::vector<AtParticle>& coarse, const std::vector<AtParticle>& fine,
+                        double finer, double tolerance) {
+    for (std::size_t place = 0; place < coarse.size(); ++place) {
+        CAPTURE(place);
+        CHECK(std::log(coarse[place].first / fine[place].first) / std::log(finer) ==
+              support::relative(2, tolerance));
+        CHECK(std::log(coarse[place].second / fine[place].second) / std::log(finer) ==
+              support::relative(2, tolerance));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("derivative test in space: second order of both derivatives inside, at edges and corners of grids") {
+    const Index every = 1000;  // of the edges
+    check_second_order(largest_errors<2>(31, 0, 1, every), largest_errors<2>(121, 0, 1, every), 4, 0.05);
+}
+
+TEST_CASE("derivative test in space: on grids SSPH of degree 2 is of first order in D² where a side ends") {
+    const auto coarse = largest_errors<2>(31, 0, 1, 200, "ssph"),
+               fine = largest_errors<2>(61, 0, 1, 300, "ssph");
+    CHECK(std::log2(coarse[1].second / fine[1].second) == support::relative(1, 0.05));
+}
+
+TEST_CASE(
+    "derivative test in space: second order of both derivatives inside, at edges and corners of perturbed particles") {
+    check_second_order(largest_errors<2>(31, 0.25, 1, 100), largest_errors<2>(121, 0.25, 1, 100), 4, 0.15);
+    check_second_order(largest_errors<3>(12, 0.25, 1, 60), largest_errors<3>(34, 0.25, 1, 60), 3, 0.2);
+}
+
+TEST_CASE("derivative test in space: the eigenvalues of a membrane on perturbed particles are positive") {
+    for (const double least : claims::least_eigenvalues<2>("definite_fpm"))
+        CHECK(least == support::relative(1, 0.02));
 }
 
 TEST_CASE("derivative test in space: errors do not depend on which particles are asked for together") {

@@ -12,8 +12,8 @@ report::Computations section_2();
 report::Computations section_3();
 report::Computations section_4();
 
-/// All computations. Convention 0 is the plane, and convention 1 space. Those about the quality number read
-/// data/fpm_in_space/rows.csv and layouts.csv.
+/// All computations. Convention 0 is the plane, and convention 1 space. Those on perturbed particles, on the
+/// literal extensions and on the quality number read the tables of data/fpm_in_space.
 report::Ledger ledger();
 
 }  // namespace claims

@@ -6,8 +6,12 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <variant>
 
+#include "base/errors.hpp"
+#include "base/text.hpp"
 #include "particles/operators.hpp"
+#include "report/read_table.hpp"
 #include "report/statistics.hpp"
 #include "solvers/spectrum.hpp"
 
@@ -16,7 +20,10 @@ namespace fpm_in_space::claims {
 using particles::Range;
 
 Computation measured_once(const std::function<double()>& number) {
-    return measured([number](auto) { return number(); });
+    return [number](const report::Statement&, std::size_t convention) -> std::vector<Measurement> {
+        if (convention == 0) return {{"", number()}};
+        return {};
+    };
 }
 
 template <int dim>
@@ -58,6 +65,40 @@ std::vector<Errors> median_errors(std::string_view formulation, Index n, double 
     return medians;
 }
 
+DataTable::DataTable(const std::string& name)
+    : path("data/fpm_in_space/" + name + ".csv"), table(report::read_table(path)) {}
+
+double DataTable::number(std::size_t row, const std::string& column) const {
+    const auto* const found = std::get_if<double>(&table.rows[row][table.column(column)]);
+    if (!found) refuse_without("a number in row " + std::to_string(row + 1) + ", " + column);
+    return *found;
+}
+
+void DataTable::refuse_without(const std::string& rows) const {
+    throw base::FailedComputation(path + " lacks " + rows + "; remove it and run make " + path);
+}
+
+template <int dim>
+std::vector<Errors> errors_in_table(const DataTable& of, std::string_view formulation, Index n,
+                                    double perturbation) {
+    std::vector<Errors> by_place;
+    for (int sides = 0; sides <= dim; ++sides) {
+        const std::string place = derivative_test::place_name<dim>(sides);
+        std::size_t row = 0;
+        const auto fits = [&] {
+            return of.table.word(row, "formulation") == formulation && of.table.word(row, "place") == place &&
+                   of.number(row, "particles") == static_cast<double>(n) &&
+                   of.number(row, "perturbation") == perturbation;
+        };
+        while (row < of.table.rows.size() && !fits()) ++row;
+        if (row == of.table.rows.size())
+            of.refuse_without("a row of " + std::string(formulation) + ", particles " + std::to_string(n) +
+                              ", perturbation " + base::shown(perturbation) + ", " + place);
+        by_place.push_back({of.number(row, "error_first"), of.number(row, "error_second")});
+    }
+    return by_place;
+}
+
 Errors largest(const std::vector<Errors>& by_place) {
     Errors most;
     for (const Errors& each : by_place)
@@ -71,7 +112,7 @@ double order(Index n_1, double error_1, Index n_2, double error_2) {
 }
 
 template <int dim>
-double least_eigenvalue(std::string_view formulation) {
+std::vector<double> least_eigenvalues(std::string_view formulation) {
     const Index n = dim == 2 ? 26 : 9;
     const auto& chosen = formulation_named<double, dim>(formulation);
     std::vector<double> least;
@@ -87,7 +128,7 @@ double least_eigenvalue(std::string_view formulation) {
         for (const auto& eigenvalue : solvers::eigenvalues(K)) lowest = std::min(lowest, eigenvalue.real());
         least.push_back(lowest / (dim * std::numbers::pi * std::numbers::pi));
     }
-    return report::quartiles(least).median;
+    return least;
 }
 
 #define FPM_IN_SPACE_MEASURES(dim)                                                                          \
@@ -97,7 +138,8 @@ double least_eigenvalue(std::string_view formulation) {
     template std::vector<Errors> median_errors(std::string_view, Index, double,                             \
                                                const std::function<Smoothing<double, dim>(double)>&, Index, \
                                                unsigned long);                                              \
-    template double least_eigenvalue<dim>(std::string_view);
+    template std::vector<Errors> errors_in_table<dim>(const DataTable&, std::string_view, Index, double);   \
+    template std::vector<double> least_eigenvalues<dim>(std::string_view);
 FPM_IN_SPACE_MEASURES(2)
 FPM_IN_SPACE_MEASURES(3)
 

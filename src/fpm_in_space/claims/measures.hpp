@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "fpm_in_space/section_4_derivative_test.hpp"
 #include "report/ledger.hpp"
+#include "report/table.hpp"
 
 namespace fpm_in_space::claims {
 
@@ -27,7 +31,7 @@ Computation measured(const Number& number) {
     };
 }
 
-/// A number on which the dimension has no influence.
+/// A number of the plane, or of a line: in space there is none.
 Computation measured_once(const std::function<double()>& number);
 
 /// The Gaussian with h = δ.
@@ -40,6 +44,22 @@ Smoothing<double, dim> gaussian(double spacing) {
 template <int dim>
 Smoothing<double, dim> cut_gaussian(double spacing) {
     return {particles::TruncatedGaussian<dim>(dim == 2 ? 3.5 : 3), 1.2 * spacing};
+}
+
+/// The derivatives by the SSPH basis \eq{B2.8} of degree m whose expansion takes the value at the particle as
+/// given: without the constant monomial, on differences, weighted by W V.
+template <int m, class Scalar, int dim>
+Derivatives<Scalar, dim> ssph_with_value_given(const Neighbourhood<Scalar, dim>& near) {
+    namespace ssph = batra2008::ssph_basis;
+    const Table<Scalar> H = ssph::H<dim, m, Scalar>(near.r).bottomRows(terms<dim, m> - 1);
+    const Table<Scalar> D = ssph::D<Scalar>(H, near.W * near.V);
+    const solvers::Cholesky<Scalar> factors(ssph::C<Scalar>(D, H));
+    Table<Scalar> all = particles::solved(factors, D).topRows(dim + second_derivatives<dim>);
+    static constexpr auto a = particles::monomials<dim, 2>();
+    for (Index n = 0; n < all.rows(); ++n)
+        all.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));
+    return {all.topRows(dim).transpose().array(),
+            all.bottomRows(second_derivatives<dim>).transpose().array()};
 }
 
 /// Largest errors of DB and D²B.
@@ -60,6 +80,27 @@ std::vector<Errors> median_errors(std::string_view formulation, Index n, double 
                                   const std::function<Smoothing<double, dim>(double)>& smoothing,
                                   Index sample, unsigned long draws);
 
+/// A table of data/fpm_in_space.
+struct DataTable {
+    explicit DataTable(const std::string& name);
+
+    std::string path;
+    report::Table table;
+
+    /// \throws base::FailedComputation where the cell is empty
+    [[nodiscard]] double number(std::size_t row, const std::string& column) const;
+
+    /// \throws base::FailedComputation that names the rows
+    [[noreturn]] void refuse_without(const std::string& rows) const;
+};
+
+/// The errors that a table has of a formulation on n particles along a side, by the number of sides that a
+/// particle lies on: medians of the draws.
+/// \throws base::FailedComputation where the table has no such row
+template <int dim>
+std::vector<Errors> errors_in_table(const DataTable& of, std::string_view formulation, Index n,
+                                    double perturbation);
+
 /// Largest of all places.
 Errors largest(const std::vector<Errors>& by_place);
 
@@ -67,8 +108,8 @@ Errors largest(const std::vector<Errors>& by_place);
 double order(Index n_1, double error_1, Index n_2, double error_2);
 
 /// Least real part of the eigenvalues of \f$-\Delta u = \lambda u\f$ on the square or the cube, held at its
-/// sides, over the lowest exact one: median over three draws of particles perturbed by δ/4.
+/// sides, over the lowest exact one: on three draws of particles perturbed by δ/4.
 template <int dim>
-double least_eigenvalue(std::string_view formulation);
+std::vector<double> least_eigenvalues(std::string_view formulation);
 
 }  // namespace fpm_in_space::claims

@@ -66,21 +66,14 @@ void for_each_neighbourhood(const Visit& visit) {
             }
 }
 
-/// Largest relative difference of the weights of D²B from those of the SSPH basis \eq{B2.8} of degree 3
-/// without the constant monomial, on differences, weighted by W V.
+/// Largest relative difference of the weights of D²B from those of SSPH of degree 3 with the value given.
 template <int dim>
 double difference_from_ssph() {
-    namespace ssph = batra2008::ssph_basis;
     double most = 0;
     for_each_neighbourhood<dim>([&](const Neighbourhood<double, dim>& near) {
-        const Table<double> H = ssph::H<dim, 3, double>(near.r).bottomRows(terms<dim, 3> - 1),
-                            D = ssph::D<double>(H, near.W * near.V);
-        const solvers::Cholesky<double> factors(ssph::C<double>(D, H));
-        Table<double> theirs = particles::solved(factors, D).middleRows(dim, second_derivatives<dim>);
-        theirs.topRows(dim) *= 2;  // a! of the pure derivatives
-        const Table<double> ours =
-            formulation_named<double, dim>("definite_fpm").weights(near).second.matrix().transpose();
-        most = std::max(most, (ours - theirs).cwiseAbs().maxCoeff() / theirs.cwiseAbs().maxCoeff());
+        const auto ours = second_order_fpm::derivatives(near).second,
+                   theirs = ssph_with_value_given<3>(near).second;
+        most = std::max(most, (ours - theirs).abs().maxCoeff() / theirs.abs().maxCoeff());
     });
     return most;
 }

@@ -36,18 +36,23 @@ double difference_on_line() {
     return most;
 }
 
-/// Particles along a side, and at most so many of each place.
+/// The errors in the plane: every particle of the sides, and a sample of those inside.
+const DataTable& errors_in_plane() {
+    static const DataTable table("literal");
+    return table;
+}
+
+/// Particles along a side.
 template <int dim>
 constexpr Index coarse = dim == 2 ? 31 : 13;
 template <int dim>
 constexpr Index fine = dim == 2 ? 61 : 25;
-template <int dim>
-constexpr Index sample = dim == 2 ? 1000 : 100;
 
-/// Largest error of D²B on a grid.
+/// Largest error of D²B on a grid; in space of a sample of each place.
 template <int dim>
 double error_on_grid(std::string_view formulation, Index n) {
-    return largest(errors_by_place<dim>(formulation, n, 0, gaussian<dim>, sample<dim>)).second;
+    if constexpr (dim == 2) return largest(errors_in_table<2>(errors_in_plane(), formulation, n, 0)).second;
+    return largest(errors_by_place<dim>(formulation, n, 0, gaussian<dim>, 100)).second;
 }
 
 template <int dim>
@@ -62,16 +67,19 @@ double ratio_on_grid() {
            error_on_grid<dim>("definite_fpm", coarse<dim>);
 }
 
-/// Order of the largest error of D²B on perturbed particles: of all at the sides, and a sample inside.
+/// Largest error of D²B on perturbed particles; in space of all at the sides, and of a sample inside.
+template <int dim>
+double error_on_perturbed(Index n) {
+    const std::string_view formulation = "literal_second_order_fpm";
+    if constexpr (dim == 2)
+        return largest(errors_in_table<2>(errors_in_plane(), formulation, n, 0.25)).second;
+    return largest(median_errors<dim>(formulation, n, 0.25, gaussian<dim>, 1350, 3)).second;
+}
+
 template <int dim>
 double order_on_perturbed() {
     const Index few = dim == 2 ? 31 : 9, many = dim == 2 ? 61 : 17;
-    const auto error = [](Index n) {
-        return largest(median_errors<dim>("literal_second_order_fpm", n, 0.25, gaussian<dim>, 1350,
-                                          dim == 2 ? 25 : 3))
-            .second;
-    };
-    return order(few, error(few), many, error(many));
+    return order(few, error_on_perturbed<dim>(few), many, error_on_perturbed<dim>(many));
 }
 
 /// Median of the largest condition of the local systems.
@@ -108,9 +116,11 @@ report::Computations section_2() {
         {"F-2-condition", measured([](auto dim) { return largest_condition<dim>(); })},
         // Order of D²B on perturbed particles
         {"F-2-perturbed", measured([](auto dim) { return order_on_perturbed<dim>(); })},
-        // Least eigenvalue of a membrane by the other reading
-        {"F-2-membrane",
-         measured([](auto dim) { return least_eigenvalue<dim>("literal_fpm_by_derivatives"); })},
+        // Least eigenvalue of a membrane by the other reading, on the draw where it is largest
+        {"F-2-membrane", measured([](auto dim) {
+             const auto least = least_eigenvalues<dim>("literal_fpm_by_derivatives");
+             return *std::max_element(least.begin(), least.end());
+         })},
     };
 }
 

@@ -13,28 +13,32 @@ namespace {
 using base::Quad;
 using particles::Exponents;
 
-/// The row of \f$\partial_{11}\f$ of the second-order FPM.
+/// The stencils of the second-order FPM at a place.
 template <int dim>
-error_constants::Stencil<Quad, dim> row_of_11(int bounded) {
-    return error_constants::row(
-        error_constants::limit_stencils(formulation_named<Quad, dim>("definite_fpm"), {{}, 1, bounded}), {2});
+error_constants::Rows<Quad, dim> stencils(int bounded) {
+    return error_constants::limit_stencils(formulation_named<Quad, dim>("definite_fpm"), {{}, 1, bounded});
 }
 
 template <int dim>
 double exponent_at_corner() {
-    return error_constants::leading_error(row_of_11<dim>(dim), {2}).exponent;
+    return error_constants::leading_error(error_constants::row(stencils<dim>(dim), {2}), {2}).exponent;
 }
 
-/// Largest difference of the constants from those that exponentials show, over the largest constant.
+/// Largest difference of the constants from those that exponentials show, over the row's largest constant: of
+/// all second derivatives that no exchange of coordinates turns into one another.
 template <int dim>
 double difference_of_constants() {
     double most = 0;
     for (int bounded = 0; bounded <= dim; ++bounded) {
-        const auto row = row_of_11<dim>(bounded);
-        const auto exact = error_constants::leading_error(row, {2});
-        const auto shown = error_constants::measured_constants(row, {2}, exact.exponent);
-        most = std::max(most,
-                        static_cast<double>((shown - exact.C).abs().maxCoeff() / exact.C.abs().maxCoeff()));
+        const auto all = stencils<dim>(bounded);
+        for (const Exponents<dim>& a : error_constants::different_derivatives<dim>(bounded)) {
+            if (particles::order<dim>(a) < 2) continue;
+            const auto row = error_constants::row(all, a);
+            const auto exact = error_constants::leading_error(row, a);
+            const auto shown = error_constants::measured_constants(row, a, exact.exponent);
+            most = std::max(
+                most, static_cast<double>((shown - exact.C).abs().maxCoeff() / exact.C.abs().maxCoeff()));
+        }
     }
     return most;
 }

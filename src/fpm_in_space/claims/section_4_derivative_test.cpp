@@ -6,14 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "fpm_in_space/claims/ledger.hpp"
 #include "fpm_in_space/claims/measures.hpp"
-#include "report/read_table.hpp"
 
 namespace fpm_in_space::claims {
 
@@ -64,28 +61,17 @@ double farthest_from_2(double Errors::*derivative) {
 
 // On the tables of the figures, data/fpm_in_space
 
-report::Table table(const std::string& name) {
-    return report::read_table("data/fpm_in_space/" + name + ".csv");
-}
-
-double number(const report::Table& table, std::size_t row, const std::string& column) {
-    return std::get<double>(table.rows[row][table.column(column)]);
-}
-
 /// The least order of all places on perturbed particles: of the medians of 25 draws, between 31² and 121²
 /// particles, and between 17³ and 48³.
 template <int dim>
-double least_order(const std::string& column) {
+double least_order(double Errors::*derivative) {
+    static const DataTable table(dim == 2 ? "plane" : "space");
     const auto [coarse, fine] = dim == 2 ? std::array<Index, 2>{31, 121} : std::array<Index, 2>{17, 48};
-    const report::Table all = table(dim == 2 ? "plane" : "space");
-    std::map<std::string, std::map<Index, double>> errors;  // by place and particles along a side
-    for (std::size_t row = 0; row < all.rows.size(); ++row)
-        if (all.word(row, "formulation") == "definite_fpm" && number(all, row, "perturbation") == 0.25)
-            errors[all.word(row, "place")][std::lround(number(all, row, "particles"))] =
-                number(all, row, column);
+    const auto before = errors_in_table<dim>(table, "definite_fpm", coarse, 0.25),
+               after = errors_in_table<dim>(table, "definite_fpm", fine, 0.25);
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& [place, of] : errors)
-        least = std::min(least, order(coarse, of.at(coarse), fine, of.at(fine)));
+    for (std::size_t place = 0; place < before.size(); ++place)
+        least = std::min(least, order(coarse, before[place].*derivative, fine, after[place].*derivative));
     return least;
 }
 
@@ -100,33 +86,44 @@ double rank_correlation(const std::vector<double>& one, const std::vector<double
     return gsl_stats_spearman(one.data(), 1, other.data(), 1, one.size(), work.data());
 }
 
-/// Of R with the error over the scale of the remainder for ln r, at the particles around the hole; then of R
-/// times the scale with the error.
-std::vector<Measurement> correlations_at_particles() {
-    const report::Table rows = table("rows");
-    std::vector<double> R, scaled_error, bound, error;
-    for (std::size_t row = 0; row < rows.rows.size(); ++row) {
-        if (rows.word(row, "formulation") != "definite_fpm") continue;
-        const double r = std::hypot(number(rows, row, "x"), number(rows, row, "y")),
-                     scale = 6 * std::pow(number(rows, row, "spacing"), 2) / std::pow(r, 4);
-        R.push_back(number(rows, row, "quality"));
-        scaled_error.push_back(number(rows, row, "error_second") / scale);
-        bound.push_back(number(rows, row, "quality") * scale);
-        error.push_back(number(rows, row, "error_second"));
+/// What orders the errors of the second derivatives of ln r at the particles around the hole.
+struct AroundHole {
+    double R, size,
+        both;  ///< rank correlations of R, of the size of the fourth derivatives, of their product
+};
+
+AroundHole around_hole() {
+    const DataTable rows("rows");
+    std::vector<double> R, size, both, error;
+    for (std::size_t row = 0; row < rows.table.rows.size(); ++row) {
+        if (rows.table.word(row, "formulation") != "definite_fpm") continue;
+        const double r = std::hypot(rows.number(row, "x"), rows.number(row, "y"));
+        R.push_back(rows.number(row, "quality"));
+        size.push_back(6 * std::pow(rows.number(row, "spacing"), 2) / std::pow(r, 4));
+        both.push_back(R.back() * size.back());
+        error.push_back(rows.number(row, "error_second"));
     }
-    return {{"", rank_correlation(R, scaled_error)},
-            {"the size of the fourth derivatives is known, too", rank_correlation(bound, error)}};
+    if (error.empty()) rows.refuse_without("rows of definite_fpm");
+    return {rank_correlation(R, error), rank_correlation(size, error), rank_correlation(both, error)};
 }
 
-/// Of the largest R of a layout with the error of the solution on it.
-double correlation_on_layouts() {
-    const report::Table layouts = table("layouts");
-    std::vector<double> R, error;
-    for (std::size_t row = 0; row < layouts.rows.size(); ++row) {
-        R.push_back(number(layouts, row, "quality"));
-        error.push_back(number(layouts, row, "log_error_nd"));
+/// R predicts as it stands, or with the size.
+std::vector<Measurement> quality_around_hole(const report::Statement&, std::size_t convention) {
+    if (convention == 1) return {};  // the hole lies in the plane
+    const AroundHole found = around_hole();
+    return {{"", found.R}, {"the size of the fourth derivatives is known, too", found.both}};
+}
+
+/// Of a column of the layouts around the hole with the error of the solution.
+double correlation_on_layouts(const std::string& column) {
+    const DataTable layouts("layouts");
+    std::vector<double> number, error;
+    for (std::size_t row = 0; row < layouts.table.rows.size(); ++row) {
+        number.push_back(layouts.number(row, column));
+        error.push_back(layouts.number(row, "log_error_nd"));
     }
-    return rank_correlation(R, error);
+    if (error.empty()) layouts.refuse_without("rows");
+    return rank_correlation(number, error);
 }
 
 }  // namespace
@@ -137,18 +134,27 @@ report::Computations section_4() {
         {"F-4-uniform-D2", measured([](auto dim) { return farthest_from_2<dim>(&Errors::second); })},
         {"F-4-uniform-D", measured([](auto dim) { return farthest_from_2<dim>(&Errors::first); })},
         // Orders on perturbed particles
-        {"F-4-perturbed-D2", measured([](auto dim) { return least_order<dim>("error_second"); })},
-        {"F-4-perturbed-D", measured([](auto dim) { return least_order<dim>("error_first"); })},
+        {"F-4-perturbed-D2", measured([](auto dim) { return least_order<dim>(&Errors::second); })},
+        {"F-4-perturbed-D", measured([](auto dim) { return least_order<dim>(&Errors::first); })},
         // Order by SSPH of degree 2 where one side ends
         {"F-4-ssph", measured([](auto dim) { return orders<dim>("ssph")[1].second; })},
         // Errors with 61² particles
         {"F-4-numpy-D2", measured_once([] { return errors_of_61().second; })},
         {"F-4-numpy-D", measured_once([] { return errors_of_61().first; })},
-        // Does R predict the error? On tables of derivatives and of solutions
-        {"F-4-quality", [](const report::Statement&, std::size_t) { return correlations_at_particles(); }},
-        {"F-4-quality-solution", measured_once(correlation_on_layouts)},
+        // Does R predict the error of derivatives? And does it add to the size of the fourth derivatives?
+        {"F-4-quality", quality_around_hole},
+        {"F-4-quality-size", measured_once([] {
+             const AroundHole found = around_hole();
+             return found.both - found.size;
+         })},
+        // Do R and the noise predict the error of solutions?
+        {"F-4-quality-solution", measured_once([] { return correlation_on_layouts("quality"); })},
+        {"F-4-noise-solution", measured_once([] { return correlation_on_layouts("noise"); })},
         // Least eigenvalue of a membrane
-        {"F-4-membrane", measured([](auto dim) { return least_eigenvalue<dim>("definite_fpm"); })},
+        {"F-4-membrane", measured([](auto dim) {
+             const auto least = least_eigenvalues<dim>("definite_fpm");
+             return *std::min_element(least.begin(), least.end());
+         })},
     };
 }
 
