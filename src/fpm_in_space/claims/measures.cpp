@@ -83,7 +83,7 @@ std::vector<Errors> errors_in_table(const DataTable& of, std::string_view formul
                                     double perturbation) {
     std::vector<Errors> by_place;
     for (int sides = 0; sides <= dim; ++sides) {
-        const std::string place = derivative_test::place_name<dim>(sides);
+        const std::string place = fpm_in_space::place<dim>(sides);
         std::size_t row = 0;
         const auto fits = [&] {
             return of.table.word(row, "formulation") == formulation && of.table.word(row, "place") == place &&
