@@ -168,7 +168,8 @@ void check_second_order(const std::vector<AtParticle>& coarse, const std::vector
 
 }  // namespace
 
-TEST_CASE("derivative test in space: second order of both derivatives inside, at edges and corners of grids") {
+TEST_CASE(
+    "derivative test in space: second order of both derivatives inside, at edges and corners of grids") {
     const Index every = 1000;  // of the edges
     check_second_order(largest_errors<2>(31, 0, 1, every), largest_errors<2>(121, 0, 1, every), 4, 0.05);
 }
