@@ -108,7 +108,7 @@ AroundHole around_hole() {
 }
 
 /// R predicts as it stands, or with the size.
-std::vector<Measurement> quality_around_hole(const report::Statement&, std::size_t convention) {
+std::vector<Measurement> quality_around_hole(const report::Statement& /*claim*/, std::size_t convention) {
     if (convention == 1) return {};  // the hole lies in the plane
     const AroundHole found = around_hole();
     return {{"", found.R}, {"the size of the fourth derivatives is known, too", found.both}};
