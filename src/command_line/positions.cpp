@@ -158,6 +158,19 @@ void check_columns(const Columns& file, const std::string& what, std::size_t dim
                           (whole ? "; or, if its commas are decimal, write points" : ""));
 }
 
+/// Refuses positions in space where those of the plane are wanted: a third coordinate that varies.
+void check_in_plane(const Columns& file, const std::string& what) {
+    for (const std::string_view name : {"x3", "z"})
+        if (const auto place = file.place_named(name))
+            for (const Columns::Row& row : file.rows())
+                if (row.entries().size() > *place &&
+                    file.number(row, *place) != file.number(file.rows().front(), *place))
+                    file.refuse(row, row.entries()[*place],
+                                "is " + std::string(name) + " of a position in space, and " + what +
+                                    " has two coordinates; name two columns, such as --columns x,y" +
+                                    (what == "a layout" ? "" : ", or take --dimension 3"));
+}
+
 /// The coordinates in a file, particle by particle.
 /// \param what the particles are, for messages: "a layout"
 std::vector<double> coordinates_in(const std::string& option, const std::string& path,
@@ -178,6 +191,7 @@ std::vector<double> coordinates_in(const std::string& option, const std::string&
             if (const auto place = file.place_named(names.at(k))) named.push_back(*place);
         if (places.empty() && named.size() == dim) places = named;
     }
+    if (dim == 2 && columns.empty()) check_in_plane(file, what);
     const bool chosen = !places.empty();
     for (std::size_t k = 0; k < dim && !chosen; ++k) places.push_back(k);
     if (!chosen && !file.rows().empty()) check_columns(file, what, dim);

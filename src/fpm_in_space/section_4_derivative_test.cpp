@@ -76,36 +76,32 @@ Body<dim> body(Index n, double perturbation, unsigned long seed) {
 
 namespace {
 
-/// Compares a derivative at the particles of some rows, \eq{F16}.
-/// \param D rows of its operator, the first of which is that of particle `first`
+/// Compares a derivative at a particle, \eq{F16}.
+/// \param D rows of its operator \param row that of particle i
 /// \param exact degree up to which polynomials are differentiated exactly
 template <int dim>
-void compare(const particles::Operator<double>& D, const Cloud<dim>& cloud, const Exponents<dim>& a,
-             const Column<double>& values, const Function<dim>& B, const Column<double>& spacing, int exact,
-             Index first, std::vector<AtParticle>& found) {
-    base::for_each_index(D.rows(), [&](Index row) {
-        const Index i = first + row, count = D.outerIndexPtr()[row + 1] - D.outerIndexPtr()[row];
-        Column<double> w(count), difference(count);
-        particles::Offsets<double, dim> r(count, dim);
-        Index k = 0;
-        for (typename particles::Operator<double>::InnerIterator entry(D, row); entry; ++entry, ++k) {
-            w[k] = entry.value();
-            difference[k] = values[entry.col()] - values[i];
-            r.row(k) = (cloud.x().col(entry.col()) - cloud.x().col(i)).transpose();
-        }
-        const double error = std::abs((w * difference).sum() - B(cloud.x().col(i), a));
-        if (!std::isfinite(error))
-            throw InvalidInput("a derivative of the function is not finite at particle " + std::to_string(i) +
-                               " (" + particles::position_in_words(cloud, i) + "); take another function");
-        AtParticle& at = found[static_cast<std::size_t>(row)];
-        if (particles::order<dim>(a) == 1) {
-            at.first = std::max(at.first, error);
-        } else {
-            const double delta = spacing[spacing.size() == 1 ? 0 : i];
-            at.second = std::max(at.second, error);
-            at.R = std::max(at.R, particles::quality<double, dim>(w * delta * delta, r / delta, exact));
-        }
-    });
+void compare(const particles::Operator<double>& D, Index row, const Cloud<dim>& cloud, Index i,
+             const Exponents<dim>& a, const Column<double>& values, const Function<dim>& B, double delta,
+             int exact, AtParticle& at) {
+    const Index count = D.outerIndexPtr()[row + 1] - D.outerIndexPtr()[row];
+    Column<double> w(count), difference(count);
+    particles::Offsets<double, dim> r(count, dim);
+    Index k = 0;
+    for (typename particles::Operator<double>::InnerIterator entry(D, row); entry; ++entry, ++k) {
+        w[k] = entry.value();
+        difference[k] = values[entry.col()] - values[i];
+        r.row(k) = (cloud.x().col(entry.col()) - cloud.x().col(i)).transpose();
+    }
+    const double error = std::abs((w * difference).sum() - B(cloud.x().col(i), a));
+    if (!std::isfinite(error))
+        throw InvalidInput("a derivative of the function is not finite at particle " + std::to_string(i) +
+                           " (" + particles::position_in_words(cloud, i) + "); take another function");
+    if (particles::order<dim>(a) == 1) {
+        at.first = std::max(at.first, error);
+    } else {
+        at.second = std::max(at.second, error);
+        at.R = std::max(at.R, particles::quality<double, dim>(w * delta * delta, r / delta, exact));
+    }
 }
 
 constexpr Index block = 512;  // rows whose operators are in memory at once
@@ -129,12 +125,16 @@ std::vector<AtParticle> errors_of_block(const Formulation<double, dim>& formulat
                                         const Column<double>& values, const Range& rows) {
     const Operators<double, dim> operators =
         particles::assemble(cloud, smoothing, formulation.required(), formulation.weights, rows);
-    std::vector<AtParticle> found;
-    for (Index i = rows.first; i < rows.last; ++i) found.push_back({i, 0, 0, 0});
-    for (const auto& a : particles::monomials<dim, 2>())
-        if (const int order = particles::order<dim>(a); order > 0)
-            compare<dim>(derivative(operators, a), cloud, a, values, B, spacing,
-                         order == 1 ? formulation.exact.first : formulation.exact.second, rows.first, found);
+    std::vector<AtParticle> found(static_cast<std::size_t>(rows.size()));
+    base::for_each_index(rows.size(), [&](Index row) {
+        const Index i = rows.first + row;
+        AtParticle& at = found[static_cast<std::size_t>(row)] = {i, 0, 0, 0};
+        for (const auto& a : particles::monomials<dim, 2>())
+            if (const int order = particles::order<dim>(a); order > 0)
+                compare<dim>(derivative(operators, a), row, cloud, i, a, values, B,
+                             spacing[spacing.size() == 1 ? 0 : i],
+                             order == 1 ? formulation.exact.first : formulation.exact.second, at);
+    });
     return found;
 }
 

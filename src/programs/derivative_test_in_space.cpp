@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -51,6 +52,7 @@ struct Options {
     int threads = 0;
     std::string output;
     command_line::Figure figure{"fpm_in_space/errors.gp"};
+    std::map<std::string, Eigen::MatrixXd> files;  ///< positions, a column for each particle, once read
 };
 
 /// Names of the coordinates.
@@ -117,20 +119,23 @@ struct Placed {
     std::vector<std::pair<std::string, Range>> places;
 };
 
+/// \throws base::InvalidInput naming the layout, where its particles are no cloud
 template <int dim>
-Placed<dim> all_of(const particles::Points<dim>& x) {
-    return {Cloud<dim>(x), {{"all", {0, x.cols()}}}};
+Placed<dim> all_of(const std::string& layout, const particles::Points<dim>& x) {
+    try {
+        return {Cloud<dim>(x), {{"all", {0, x.cols()}}}};
+    } catch (const InvalidInput& error) {
+        throw InvalidInput("--layout " + layout + ": " + error.what() + "; leave one of them out");
+    }
 }
 
 /// The particles of a case; of a grid's places, those of the sample.
 template <int dim>
 Placed<dim> placed(const Options& options, const Case& one) {
-    if (is_file(one.layout))
-        return all_of<dim>(command_line::read_points<dim>("--layout", one.layout, options.columns,
-                                                          dim == 2 ? "a layout" : "a layout in space"));
+    if (is_file(one.layout)) return all_of<dim>(one.layout, options.files.at(one.layout));
     if (!is_grid(one.layout)) {
         const command_line::Layouts layouts({one.layout}, {}, 0, options.smoothing);
-        if constexpr (dim == 2) return all_of<2>(layouts.around({}, one.layout, one.seed).x);
+        if constexpr (dim == 2) return all_of<2>(one.layout, layouts.around({}, one.layout, one.seed).x);
     }
     auto [cloud, on_sides] = derivative_test::body<dim>(one.n, one.perturbation, one.seed);
     std::vector<std::pair<std::string, Range>> places;
@@ -287,20 +292,30 @@ std::vector<std::vector<Cell>> rows(const Options& options, const std::string& f
     return table;
 }
 
-/// \throws base::InvalidInput for files that cannot be read
+/// Reads the files of layouts, each once, and checks what is said of their particles.
+/// \throws base::InvalidInput for files that cannot be read, or that would be written
 template <int dim>
-void check_files(const Options& options) {
+void read_files(Options& options) {
     for (const std::string& layout : options.layouts) {
-        if (!is_file(layout)) continue;
+        if (!is_file(layout) && !is_grid(layout))
+            static_cast<void>(
+                command_line::Layouts({layout}, {}, 0, options.smoothing));  // a name that it knows
+        if (!is_file(layout) || options.files.contains(layout)) continue;
         command_line::check_apart(
             {{"--layout", layout}, {"--output", options.output}, {"--plot", options.figure.path}});
-        static_cast<void>(placed<dim>(options, {layout, 0, 0, 1}));
+        options.files[layout] = command_line::read_points<dim>(
+            "--layout", layout, options.columns, dim == 2 ? "a layout in the plane" : "a layout in space");
+        if (options.files[layout].cols() < 2)
+            throw InvalidInput("--layout: " + layout + " has " +
+                               std::to_string(options.files[layout].cols()) +
+                               " particles; a cloud needs some, on a line each");
+        command_line::check_lengths(options.spacing, options.smoothing_from, options.files[layout].cols());
     }
 }
 
 template <int dim>
-report::Table table_of(const Options& options) {
-    check_files<dim>(options);
+report::Table table_of(Options& options) {
+    read_files<dim>(options);
     report::Table table;
     table.comments = comments(options, "largest errors of the first and second derivatives by place");
     table.columns = naming;
@@ -342,8 +357,8 @@ report::Table table_of(const Options& options) {
 
 /// A row for each particle: its place, its position and what is found there.
 template <int dim>
-report::Table states_of(const Options& options) {
-    check_files<dim>(options);
+report::Table states_of(Options& options) {
+    read_files<dim>(options);
     report::Table table;
     table.comments = comments(options, "errors of the derivatives at each particle");
     table.columns = naming;
@@ -391,18 +406,37 @@ void check(const Options& options) {
             throw InvalidInput("--layout " + layout + " is none in space; choose grid or a file");
         for (const double a : options.perturbations) drawn = drawn || is_drawn(layout, a);
     }
-    const auto refuse_idle = [](const std::string& option, bool given, const std::string& without) {
-        if (given) throw InvalidInput(option + " changes nothing without " + without);
+    const auto refuse_idle = [](const std::string& option, bool given, const std::string& why) {
+        if (given) throw InvalidInput(option + " changes nothing " + why + "; leave it out");
     };
-    const std::string other = "a perturbed grid or a graded layout; add --perturb 0.25, say";
+    const bool sampled = grid && options.sample > 0;
+    refuse_idle("--seeds", options.seeds > 1 && !drawn,
+                "where no particles are drawn (--perturb, graded layouts)");
+    refuse_idle("--seed", options.seed != 1 && !drawn && !sampled,
+                "where no particles are drawn (--perturb, --sample, graded layouts)");
+    refuse_idle("--columns", !options.columns.empty() && !file, "without a --layout FILE");
+    refuse_idle("--sample", options.sample > 0 && !grid, "without a grid");
+    refuse_idle("--particles", !options.particles.empty() && !grid, "without a grid");
+    refuse_idle("--perturb", options.perturbations != std::vector<double>{0} && !grid, "without a grid");
+    refuse_idle("--median", options.median && options.states, "with --states");
+    if (!(std::isfinite(options.smoothing) && options.smoothing > 0))
+        throw InvalidInput("--smoothing must be positive and finite, got " + shown(options.smoothing));
     static_cast<void>(cut_of(options));
     static_cast<void>(wanted(options));
-    refuse_idle("--seeds", options.seeds > 1 && !drawn, other);
-    refuse_idle("--seed", options.seed != 1 && !drawn, other);
-    refuse_idle("--columns", !options.columns.empty() && !file, "a --layout FILE");
-    refuse_idle("--sample", options.sample > 0 && !grid, "a grid");
-    refuse_idle("--perturb", options.perturbations != std::vector<double>{0} && !grid, "a grid");
-    refuse_idle("--median", options.median && options.states, "largest errors; leave --states out");
+    if (options.spacing.kind == particles::Spacing::given) {
+        if (grid && options.spacing.lengths.size() > 1)
+            throw InvalidInput(
+                "--smoothing-from " + options.smoothing_from +
+                " has a number for each particle, and a grid is in random order; take one length, or a --layout FILE");
+        command_line::check_apart(
+            {{"--smoothing-from", command_line::named_file(options.smoothing_from).path},
+             {"--output", options.output},
+             {"--plot", options.figure.path}});
+    }
+    for (const double a : options.perturbations)
+        if (!(a >= 0 && a < 0.5)) throw InvalidInput("--perturb must lie in [0, 1/2), got " + shown(a));
+    for (const long n : options.particles)
+        if (n < 3) throw InvalidInput("--particles: a side needs at least 3, got " + std::to_string(n));
     if (grid && options.function)
         expressions::require_smooth("--function", *options.function, axes(options.dimension));
     for (const long n : options.particles) {
@@ -411,7 +445,8 @@ void check(const Options& options) {
     }
     if (options.figure.path.empty()) return;
     const std::size_t clouds =
-        layouts.size() * options.perturbations.size() * options.seeds * (grid ? options.particles.size() : 1);
+        layouts.size() * options.perturbations.size() * options.seeds *
+        (grid ? std::max<std::size_t>(options.particles.size(), options.particles.empty() ? 3 : 1) : 1);
     if (options.states && (clouds > 1 || wanted(options).size() > 1))
         throw InvalidInput(
             "--states --plot draws the errors of one formulation on one cloud; take one --formulation, one number of --particles, one perturbation and one seed");
@@ -430,7 +465,7 @@ int main(int argc, char** argv) {
         "derivative_test_in_space",
         "Example: derivative_test_in_space --formulation definite_fpm --particles 31,61,121 --perturb 0.25 --plot /tmp/plane.svg\n"
         "In space: derivative_test_in_space --dimension 3 --function \"sin(x+2*y)*exp(z)\" --particles 9,17\n"
-        "Particles of your own: derivative_test_in_space --layout body.csv --smoothing-from local --states --plot /tmp/body.svg");
+        "Particles of your own: derivative_test_in_space --layout body.csv --smoothing-from local --formulation definite_fpm --states --plot /tmp/body.svg");
     Options options;
     app.column_width(34);
     app.add_option("--dimension", options.dimension, "2, the plane (default), or 3, space")
@@ -485,11 +520,11 @@ int main(int argc, char** argv) {
     app.add_threads(options.threads);
     app.add_output(options.output);
     return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
+        options.spacing = command_line::spacing_from(options.smoothing_from);
+        check(options);
         if (options.particles.empty())
             options.particles =
                 options.dimension == 2 ? std::vector<long>{16, 31, 61} : std::vector<long>{9, 13, 17};
-        options.spacing = command_line::spacing_from(options.smoothing_from);
-        check(options);
         if (options.states) options.figure.script = "fpm_in_space/states.gp";
         if (options.dimension == 2) return options.states ? states_of<2>(options) : table_of<2>(options);
         return options.states ? states_of<3>(options) : table_of<3>(options);

@@ -118,8 +118,8 @@ TEST_CASE("derivative_test_in_space: what has no meaning is refused, with what t
     check_refused(name + "--dimension 4", 2, "--dimension");
     check_refused(name + "--dimension 3 --layout graded-188-11", 2, "choose grid or a file");
     check_refused(name + "--layout none.csv", 2, "cannot read none.csv");
-    check_refused(name + "--particles 2", 2, "a side needs at least 3 particles");
-    check_refused(name + "--particles 11 --perturb 0.5", 2, "the perturbation must lie in [0, 1/2)");
+    check_refused(name + "--particles 2", 2, "--particles: a side needs at least 3, got 2");
+    check_refused(name + "--particles 11 --perturb 0.5", 2, "--perturb must lie in [0, 1/2), got 0.5");
     check_refused(name + "--seeds 3", 2, "--seeds changes nothing");
     check_refused(name + "--sample 9 --layout graded-188-11", 2, "--sample changes nothing without a grid");
     check_refused(name + "--smoothing 0.5 --particles 11 --formulation definite_fpm", 1,
