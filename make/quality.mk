@@ -90,7 +90,7 @@ MOST_1D ?= 10000000
 MOST_2D ?= 100000
 bench-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/bench $(BUILD)/bench/bin/bench \
-	    OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-restrict"
+	    OPTIMISE="-O3 -march=native -DNDEBUG -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-restrict -Wno-array-bounds"
 bench: bench-build ## measure speed beside the machine's limits and NumPy, into data/ and figures/benchmarks
 	@bash tests/benchmarks/run $(BUILD)/bench $(MOST_1D) $(MOST_2D)
 $(bin)/bench: $(call objects_in,tests/benchmarks/%)
