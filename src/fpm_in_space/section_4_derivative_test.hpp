@@ -21,7 +21,7 @@ namespace fpm_in_space {
 /// | \f$\delta\f$ | `cloud.spacing()` | their distance, \f$1/(n-1)\f$ |
 /// | \f$a\f$ | `perturbation` | amplitude of their random displacement, in units of δ |
 /// | \f$B\f$ | `Function` | the function, with its derivatives |
-/// | \f$R\f$ | `AtParticle::R` | quality number, \f$\sum_j \lvert w_j\rvert\,\lvert r_j\rvert^{m+1}/(m+1)!\f$, see particles::quality() |
+/// | \f$R\f$ | `AtParticle::R` | quality number \f$\sum_j |w_j|\,|r_j|^{m+1}/(m+1)!\f$, particles::quality() |
 ///
 /// The first paper's Section 5.1 asks for the worst particle, and finds it at the boundary. In space a
 /// boundary has several kinds of places: an edge and a corner in the plane; a face, an edge and a corner in
@@ -38,8 +38,8 @@ namespace fpm_in_space {
 /// particles around the hole of the second paper. At each particle, the error of the derivatives of ln r
 /// stands below the bound that the quality number R gives with the size of the fourth derivatives, and goes
 /// with it; R alone says much less. The error of a solution by collocation does not go with the largest R of
-/// its rows: there the layouts differ by unknowns that alternate from particle to particle, the noise, which
-/// R cannot see.
+/// its rows: there the layouts differ mostly by unknowns that alternate from particle to particle, the noise,
+/// which R cannot see.
 ///
 /// \image html fpm_in_space_figure_quality.svg "Errors of derivatives, and of solutions by collocation, against the quality number R."
 ///
