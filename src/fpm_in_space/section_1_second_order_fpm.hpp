@@ -45,7 +45,7 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// | symbol | code | meaning |
 /// | --- | --- | --- |
 /// | \f$r = (x_j - x_i)/h\f$ | `near.r` | offset of a neighbour, in units of h |
-/// | \f$r^a,\ a!,\ \partial^a\f$ | `Exponents`, `factorial` | monomial, factorial, derivative of a multi-index |
+/// | \f$r^a,\ a!,\ \partial^a\f$ | `Exponents`, `factorial` | monomial, factorial, derivative |
 /// | \f$p\f$ | `monomials_of` | the monomials up to degree 3 at the neighbours |
 /// | \f$p_1, p_2\f$ | `linear`, `quadratic` | those of degree 1 and 2 |
 /// | \f$o = [p_1, p_3]\f$ | `odd` | those of degree 1 and 3 |
@@ -58,8 +58,8 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// which are summed once.
 ///
 /// The second derivatives are those of the SSPH basis of degree 3, \eq{B2.8}, if its expansion takes the
-/// value at the particle as given: both solve for the same unknowns under the same conditions. The two papers of
-/// this package meet here.
+/// value at the particle as given: both solve for the same unknowns under the same conditions. The two papers
+/// of this package meet here.
 ///
 /// What this section claims, and what was measured: \claims{F-1}.
 namespace second_order_fpm {
@@ -193,8 +193,8 @@ Table<Scalar> kernels(const Table<Scalar>& C, const Table<Scalar>& p, const Colu
 /// \f[ \sum_n \langle C_m, p_{2,n}\rangle \frac{\partial^{a_n} B(x_i)}{a_n!}
 ///     = \sum_j [B(x_j) - B(x_i)]\,K_m(x_j)\,V_j \tag{F5} \f]
 /// with derivatives in units of h. The matrix is the Schur complement
-/// \f$\langle p_2, p_2\rangle - \langle p_2, o\rangle G^{-1} \langle o, p_2\rangle\f$, symmetric and definite.
-/// The remainder is O(h⁴), over h²: second order, everywhere.
+/// \f$\langle p_2, p_2\rangle - \langle p_2, o\rangle G^{-1} \langle o, p_2\rangle\f$, symmetric and
+/// definite. The remainder is O(h⁴), over h²: second order, everywhere.
 /// \param C corrections() \param moments products of the monomials
 /// \return polynomials whose kernels are the weights on \f$B(x_j) - B(x_i)\f$ [1/h²], a row for each second
 ///         derivative

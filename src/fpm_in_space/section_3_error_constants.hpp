@@ -61,8 +61,8 @@ namespace fpm_in_space {
 /// along the axes. No wave has the frequency zero, but with SSPH some nearly have: with h = 2δ, values that
 /// alternate from particle to particle in both directions have less than a millionth of the exact
 /// eigenvalue, since a fit that need not meet the value at the particle smooths them away. With the
-/// second-order FPM they have more than a hundredth of it. Inside, SSPH of degree 2 and 3 have the same second
-/// derivatives.
+/// second-order FPM they have more than a hundredth of it. Inside, SSPH of degree 2 and 3 have the same
+/// second derivatives.
 ///
 /// \image html fpm_in_space_figure_symbol.svg "Frequencies of waves over the exact ones: along an axis, along the diagonal, and in the plane of phases."
 ///

@@ -21,7 +21,7 @@ namespace fpm_in_space {
 /// | \f$\delta\f$ | `cloud.spacing()` | their distance, \f$1/(n-1)\f$ |
 /// | \f$a\f$ | `perturbation` | amplitude of their random displacement, in units of δ |
 /// | \f$B\f$ | `Function` | the function, with its derivatives |
-/// | \f$R\f$ | `AtParticle::R` | quality number \f$\sum_j |w_j|\,|r_j|^{m+1}/(m+1)!\f$, particles::quality() |
+/// | \f$R\f$ | `AtParticle::R` | quality number of second derivatives, particles::quality() |
 ///
 /// The first paper's Section 5.1 asks for the worst particle, and finds it at the boundary. In space a
 /// boundary has several kinds of places: an edge and a corner in the plane; a face, an edge and a corner in

@@ -119,8 +119,8 @@ Points<2> graded_layout(const QuarterWithHole& shape, Index N, Index on_arc, uns
     const std::size_t fixed = x.size();
     if (static_cast<Index>(fixed) + 1 > N)
         throw InvalidInput("a graded layout with " + std::to_string(on_arc) + " particles on the hole has " +
-                           std::to_string(fixed) + " on the boundary; take more than " + std::to_string(fixed) +
-                           " particles in all");
+                           std::to_string(fixed) + " on the boundary; take more than " +
+                           std::to_string(fixed) + " particles in all");
     const std::vector<Point<2>> places = logarithmic::random_places(shape, 60 * N, seed);
     add_farthest(x, places, N);
     constexpr int rounds = 60;
