@@ -201,9 +201,9 @@ Table<Scalar> kernels(const Table<Scalar>& C, const Table<Scalar>& p, const Colu
 /// \throws particles::SingularNeighbourhood where the neighbours do not determine them
 template <int dim, class Scalar>
 Table<Scalar> second(const Table<Scalar>& C, const Matrix<Scalar>& moments) {
-    const auto p2 = polynomials<Scalar, dim>(quadratic<dim>);
+    const Table<Scalar> to_p2 = moments(Eigen::all, quadratic<dim>);
     const auto factors =
-        detail::factors<Scalar>(product(C, p2, moments), moments.diagonal()(quadratic<dim>).array());
+        detail::factors<Scalar>(C.lazyProduct(to_p2), moments.diagonal()(quadratic<dim>).array());
     return detail::factorials<dim, Scalar>().matrix().asDiagonal() * particles::solved(factors, C);
 }
 
