@@ -1,6 +1,8 @@
 // What doc/check looks at in each page: formulas, messages, scripts, images, widths, links, contents and search.
 const widths = [960, 1400].map((screen) => screen - 15);  // less a scroll bar
-const inCode = { chen_beraun: ["nonzero_sum"], second_order_fpm: ["moments", "matrix"], rkpm: ["inverse", "moment_matrix"] };  // names that are links
+const inCode = {  // names that are links
+    "asprone2010::chen_beraun": ["nonzero_sum"], "asprone2010::second_order_fpm": ["moments", "matrix"],
+    "asprone2010::rkpm": ["inverse", "moment_matrix"], "fpm_in_space::second_order_fpm": ["corrections", "moments"] };
 const known = new Set(pages), ids = {}, links = [], problems = [];
 let formulas = 0, images = 0;
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -50,7 +52,7 @@ async function look(page, frame) {
         if (!anchor.nextElementSibling.textContent.includes("(" + anchor.id.slice(4).replace("_", ".") + ") "))
             complain(anchor.id + " shows no heading");
     for (const [section, names] of Object.entries(inCode))
-        for (const name of page.endsWith("_1_1" + section.replace(/_/g, "__") + ".html") ? names : [])
+        for (const name of page === "namespace" + section.replace(/_/g, "__").replace(/::/g, "_1_1") + ".html" ? names : [])
             if (![...shown.querySelectorAll(".fragment a.code")].some((link) => link.textContent === name)) complain(name + " is no link in its code");
     if (/^namespace(asprone2010|batra2008|fpm__in__space)_1_1/.test(page) && shown.querySelector(`#contents .here[href="${page}"]`) && shown.querySelectorAll(".turn a").length < 4)
         complain("previous or next section is missing");

@@ -3,6 +3,14 @@ const words = (text) => text.normalize("NFKC").toLowerCase().replace(/\.(?!\d)/g
 // A number in brackets is an equation's.
 const wordsOf = (query) => words(query.replace(/\(([A-Z]?[\d.]+)\)/gi, "equation $1")).filter((word) => word);
 
+const texts = { A: "Asprone et al.", B: "Batra and Zhang", F: "FPM in space" };
+// Formulations whose names in tables are not those of their code.
+const formulations = {
+    definite_fpm: "namespacefpm__in__space_1_1second__order__fpm.html", cubic_ssph: "namespacebatra2008_1_1ssph__basis.html",
+    literal_modified_fpm: "namespacefpm__in__space_1_1literal__extension.html",
+    literal_fpm_by_derivatives: "namespacefpm__in__space_1_1literal__extension.html",
+    literal_second_order_fpm: "namespacefpm__in__space_1_1literal__extension.html" };
+
 // What can be found: a label, where it stands, a link, and the words that find it.
 function findable() {
     const sections = new Map(), all = { sections: [], equations: [], figures: [], others: [], claims: [], files: [] };
@@ -16,17 +24,20 @@ function findable() {
         const where = sections.get(file) || titles.get(file) || "", link = file + (anchor && "#" + anchor);
         if (anchor.startsWith("eq_")) {
             const key = keyOf(anchor), number = numberOf(key);
-            add("equations", titleOf(key), (key[0] === "A" ? "Asprone et al., " : "Batra and Zhang, ") + where, link, "equation eq " + key + " " + number);
+            add("equations", titleOf(key), texts[key[0]] + ", " + where, link, "equation eq " + key + " " + number);
+            all.equations.at(-1).number = number;
         } else if (anchor.startsWith("figure_")) add("figures", anchor.replace("figure_", "Figure ") + ". " + text, where, link);
         else if (anchor) add("others", text, where, link);
         else if (/_source\.html$|^dir_/.test(file)) add("files", text, "file", link);
         else if (!sections.has(file)) add("others", text, "", link);
     }
     for (const [id, text] of Object.entries(claims)) add("claims", id + ": " + text, "claims", "claims.html#claim_" + id.replace(/\./g, "_"), "claim");
+    for (const [name, link] of Object.entries(formulations)) add("others", name, sections.get(link) || "", link, "formulation");
     return Object.values(all).flat();
 }
 
-// Every word of the query must be in what is found; whole words count most, then beginnings; what begins as the query comes first.
+// Every word of the query must be in what is found; whole words count most, then beginnings; what begins as the query, and an equation of
+// its number, come first.
 function score(found, wanted) {
     let sum = 0;
     for (const want of wanted) {
@@ -35,7 +46,7 @@ function score(found, wanted) {
         if (best === 0) return 0;
         sum += best;
     }
-    return sum + (found.words.slice(0, wanted.length).join() === wanted.join() ? 1 : 0);
+    return sum + (found.words.slice(0, wanted.length).join() === wanted.join() || found.number === wanted.at(-1) ? 1 : 0);
 }
 
 const all = findable(), query = document.getElementById("query"), results = document.getElementById("results");

@@ -65,7 +65,8 @@ set tmargin at screen 0.16; set bmargin at screen 0; set lmargin at screen 0.05;
 unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid
 set yrange [1:10]
 set key at screen 0.08,0.135 left top vertical Left reverse maxrows 6 width 0 samplen 4 spacing (words(curves) > 5 ? 0.9 : 1.1) font ",13"
-plot for [name in curves] NaN with lines linewidth 3 linecolor rgb colour(name) title title(name)
+plot for [name in curves] NaN with lines linewidth 3 linecolor rgb colour(name) \
+     title title(name) . (name eq "definite_fpm" && words(curves) > 1 ? " (on top)" : "")
 set key at screen 0.6,0.135
 plot for [place in places] NaN with linespoints linestyle 90 + number(place) title place
 unset multiplot

@@ -10,7 +10,7 @@ set format xy "10^{%T}"
 set tmargin at screen 0.88; set bmargin at screen 0.33
 set lmargin at screen 0.115; set rmargin at screen 0.525
 set title "derivatives of ln r, at each particle" font ",13"
-set xlabel "R times the scale of the remainder"
+set xlabel "R δ² 6/r⁴  (second degree: R δ 2/r³)"
 set ylabel "error of second derivatives"
 set xrange [1e-3:100]; set yrange [1e-5:100]
 set key at screen 0.03,0.18 left top vertical Left reverse maxrows 3 width 0 samplen 2 font ",12"
@@ -18,7 +18,7 @@ set key at screen 0.03,0.18 left top vertical Left reverse maxrows 3 width 0 sam
 r = "sqrt(column('x')**2 + column('y')**2)"
 cubic(x) = column("quality") * column("spacing")**2 * 6 / (column("x")**2 + column("y")**2)**2
 square(x) = column("quality") * column("spacing") * 2 / (column("x")**2 + column("y")**2)**1.5
-plot x with lines linecolor rgb "#888888" linewidth 1 title "the bound", \
+plot x with lines linecolor rgb "#888888" linewidth 1 title "the bound, with the derivatives at the particle", \
      rows using (of("ssph") * square(0)):"error_second" with points pointtype 14 pointsize 0.5 linecolor rgb "#c0392b" title title("ssph"), \
      rows using (of("definite_fpm") * cubic(0)):"error_second" with points pointtype 7 pointsize 0.4 linecolor rgb "#00695c" title title("definite_fpm")
 set lmargin at screen 0.635; set rmargin at screen 0.88

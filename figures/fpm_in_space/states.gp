@@ -5,7 +5,7 @@ curve_column = "formulation"; x_column = "particle"; y_column = "error_second"
 load "figures/style.gp"
 in_space = strstrt("," . columns . ",", ",z,") > 0
 eval(picture(720, 640))
-set title "Second derivatives by " . title(word(curves, 1)) . " at each particle, B = " . comment(" for B = ") . "\nkernel " . comment("# kernel ") noenhanced font ",12"
+set title "Error at each particle by " . title(word(curves, 1)) . ", B = " . comment(" for B = ") . "\nkernel " . comment("# kernel ") noenhanced font ",12"
 eval(sequential)
 set logscale cb
 set cbrange [y_least == y_most ? 0.5 * y_least : y_least : y_most]
@@ -20,6 +20,7 @@ if (in_space) {
     set view 65,30,0.8
     set xyplane relative 0
     set zlabel "z"
+    set xtics 0.5; set ytics 0.5; set ztics 0.5
     splot table using "x":"y":"z":(column("error_second") > 0 ? column("error_second") : y_least) with points pointtype 7 linecolor palette
 } else {
     set size ratio -1

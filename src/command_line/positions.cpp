@@ -151,11 +151,13 @@ void check_columns(const Columns& file, const std::string& what, std::size_t dim
     };
     const std::string needs = "; " + what + " needs " + coordinates(dim);
     file.refuse(row, row.text,
-                count < dim
-                    ? "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + needs
-                    : "has " + std::to_string(count) + " columns" + needs +
-                          ": choose them, such as --columns " + in_one_word(columns_of_positions(file, dim)) +
-                          (whole ? "; or, if its commas are decimal, write points" : ""));
+                count < dim ? "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + needs
+                            : "has " + std::to_string(count) + " columns" + needs +
+                                  (count == 3 && what == "a layout in the plane"
+                                       ? ": take --dimension 3, or choose two"
+                                       : ": choose them") +
+                                  ", such as --columns " + in_one_word(columns_of_positions(file, dim)) +
+                                  (whole ? "; or, if its commas are decimal, write points" : ""));
 }
 
 /// Refuses positions in space where those of the plane are wanted: a third coordinate that varies.

@@ -28,8 +28,9 @@ namespace fpm_in_space {
 /// space. A particle at a corner sees a quarter or an eighth of what one inside sees. The test therefore
 /// says the largest error of each place.
 ///
-/// Each particle is differentiated on its own, so that a sample of the particles will do. The operators are
-/// made some hundred rows at a time: those of all 48³ particles would fill two gigabytes.
+/// Each particle is differentiated on its own, so that in medians of many draws a sample of the particles can
+/// stand for all. The operators are made some hundred rows at a time: those of all 48³ particles would fill
+/// two gigabytes.
 ///
 /// \image html fpm_in_space_figure_plane.svg "Largest errors of the second derivatives in the plane, by place."
 /// \image html fpm_in_space_figure_space.svg "The same in space."

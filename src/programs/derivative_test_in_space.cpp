@@ -473,7 +473,7 @@ int main(int argc, char** argv) {
         .within(2, 3);
     app.add_list("--formulation", options.formulations,
                  "formulations: all, or some of " + command_line::joined(formulation_names()) +
-                     " (default definite_fpm,ssph)");
+                     "; definite_fpm is the second-order FPM (default definite_fpm,ssph)");
     app.add_list("--particles", options.particles,
                  "particles along a side of a grid: a list or a range (default 16,31,61; in space 9,13,17)");
     app.add_list(
@@ -513,7 +513,8 @@ int main(int argc, char** argv) {
     app.add_option(
            "--function", options.function,
            "the function B (default exp(x+y/2)+sin(x+2*y); in space exp(x+y/2-0.3*z)+sin(x+2*y+1.5*z)); made of " +
-               expressions::vocabulary("x, y, z"))
+               expressions::vocabulary("x, y, z") +
+               "; smooth on the square or cube of a grid; on other layouts finite at the particles")
         .type_name("TEXT");
     app.add_flag("--states", options.states, "the errors at each particle instead of the largest");
     command_line::add_plot_option(app, options.figure);
