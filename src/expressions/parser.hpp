@@ -50,8 +50,8 @@ class Evaluator {
     [[nodiscard]] Jet<Scalar> operator()(std::span<const Scalar> at) const { return results(at).back(); }
 
     /// The results of all steps.
-    /// \param direction e of the derivatives \f$e\cdot\nabla f,\ e^T (\nabla\nabla f)\,e\f$, an entry for each
-    ///        variable; empty for that of the first
+    /// \param direction e of the derivatives \f$e\cdot\nabla f,\ e^T (\nabla\nabla f)\,e\f$, an entry for
+    ///        each variable; empty for that of the first
     [[nodiscard]] std::vector<Jet<Scalar>> results(std::span<const Scalar> at,
                                                    std::span<const double> direction = {}) const;
 

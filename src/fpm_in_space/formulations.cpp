@@ -10,7 +10,11 @@ template <class Scalar, int dim>
 const std::vector<Formulation<Scalar, dim>>& formulations() {
     using Near = particles::Neighbourhood<Scalar, dim>;
     static const std::vector<Formulation<Scalar, dim>> all{
-        {"definite_fpm", "F5 F6", terms<dim, 3>, {2, 3}, second_order_fpm::derivatives<Scalar, dim>},
+        {second_order_fpm::required<dim>.formulation,
+         "F5 F6",
+         second_order_fpm::required<dim>.particles,
+         {2, 3},
+         second_order_fpm::derivatives<Scalar, dim>},
         {"ssph",
          "B2.11, degree 2",
          terms<dim, 2>,

@@ -23,11 +23,11 @@ namespace fpm_in_space {
 ///
 /// None of the three is of use. On a grid \eq{F9} is of second order, but the errors of its second
 /// derivatives at edges are thousands of times those of Section 1 in the plane, and hundreds of times in
-/// space. On perturbed particles the matrices of \eq{F7} and \eq{F9} come near singular ones at the sides, and
-/// a few particles have errors of any size. The second derivatives of \eq{F8} are of first order, and a
-/// membrane on perturbed particles has eigenvalues of the wrong sign. The matrices are neither Gram matrices nor Schur
-/// complements of one: nothing keeps them away from singular ones. The table literal.csv has the errors of
-/// all three by place, beside those of Section 1.
+/// space. On perturbed particles the matrices of \eq{F7} and \eq{F9} come near singular ones at the sides,
+/// and a few particles have errors of any size. The second derivatives of \eq{F8} are of first order, and a
+/// membrane on perturbed particles has eigenvalues of the wrong sign. The matrices are neither Gram matrices
+/// nor Schur complements of one: nothing keeps them away from singular ones. The table literal.csv has the
+/// errors of all three by place, beside those of Section 1.
 ///
 /// | symbol | code | meaning |
 /// | --- | --- | --- |

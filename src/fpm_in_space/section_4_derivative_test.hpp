@@ -2,7 +2,7 @@
 
 #include <array>
 #include <functional>
-#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -58,6 +58,11 @@ using particles::Smoothing;
 /// value. It may be called from several threads at once.
 template <int dim>
 using Function = std::function<double(const Point<dim>&, const Exponents<dim>&)>;
+
+/// The function of the test, as one types it.
+template <int dim>
+inline constexpr std::string_view function_typed =
+    dim == 2 ? "exp(x+y/2)+sin(x+2*y)" : "exp(x+y/2-0.3*z)+sin(x+2*y+1.5*z)";
 
 /// The function of the test, without symmetries of the square and the cube. \defeq{F14}
 /// \f[ B(x) = e^{c \cdot x} + \sin(k \cdot x), \qquad c = (1, \tfrac12, -\tfrac{3}{10}),

@@ -81,12 +81,6 @@ TEST_CASE("error constants: a lattice inside is whole, and a half, a quarter or 
     CHECK(2 * edge.cols() == inside.cols() + 13);
     CHECK(corner.minCoeff() == 0);
     CHECK(within_reach(Lattice<3>{}).cols() == 925);
-    CHECK(place<2>(0) == "inside");
-    CHECK(place<2>(1) == "edge");
-    CHECK(place<2>(2) == "corner");
-    CHECK(place<3>(1) == "face");
-    CHECK(place<3>(2) == "edge");
-    CHECK(place<3>(3) == "corner");
 }
 
 TEST_CASE("error constants: multi-indices of a degree in the order of their derivatives") {

@@ -85,10 +85,6 @@ TEST_CASE("derivative test in space: particles are counted by the sides that the
     CHECK(cube.on_sides[2].size() == 36);
     CHECK(cube.on_sides[3].size() == 8);
     CHECK(cube.on_sides[3].last == cube.cloud.size());
-    CHECK(place<2>(1) == "edge");
-    CHECK(place<3>(1) == "face");
-    CHECK(place<3>(2) == "edge");
-    CHECK(place<3>(3) == "corner");
 }
 
 TEST_CASE(
