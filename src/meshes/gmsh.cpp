@@ -1,13 +1,18 @@
 #include "meshes/gmsh.hpp"
 
+#include <fcntl.h>
 #include <gmsh.h>
 #include <omp.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <unordered_map>
@@ -30,6 +35,9 @@ namespace {
 
 constexpr double most_particles = 5e6;
 
+/// Gmsh's numbers of the ways to mesh that give even cells of the size asked for.
+constexpr int frontal_delaunay = 6, delaunay = 1;
+
 /// The file that Gmsh runs as a script: the command Exit in it ends the program.
 std::string running;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
@@ -39,6 +47,26 @@ void say_where_it_ended() {
     std::_Exit(2);
 }
 
+/// Keeps what libraries say on the standard output away from it, where a table goes.
+class Quiet {
+  public:
+    Quiet() : output_((std::fflush(stdout), dup(STDOUT_FILENO))) {
+        const int nowhere = open("/dev/null", O_WRONLY);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+        dup2(nowhere, STDOUT_FILENO);
+        close(nowhere);
+    }
+    ~Quiet() {
+        std::fflush(stdout);
+        dup2(output_, STDOUT_FILENO);
+        close(output_);
+    }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+
+  private:
+    int output_;
+};
+
 /// Gmsh without anything of an earlier file, silent and on one thread.
 class Session {
   public:
@@ -46,9 +74,7 @@ class Session {
         static const int registered = std::atexit(say_where_it_ended);
         static_cast<void>(registered);
         gmsh::initialize(0, nullptr, false);
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("General.AbortOnError", 0);
-        gmsh::option::setNumber("General.NumThreads", 1);
+        be_silent();
         gmsh::logger::start();
     }
     ~Session() {
@@ -63,6 +89,7 @@ class Session {
         running = path_;
         gmsh::open(path_);
         running.clear();
+        be_silent();  // whatever a script says
         check("Gmsh cannot read it");
     }
 
@@ -78,6 +105,12 @@ class Session {
     }
 
   private:
+    static void be_silent() {
+        gmsh::option::setNumber("General.Terminal", 0);
+        gmsh::option::setNumber("General.AbortOnError", 0);
+        gmsh::option::setNumber("General.NumThreads", 1);
+    }
+
     std::string path_;
     int threads_;
 };
@@ -169,7 +202,13 @@ std::array<Point<3>, 2> bounding_box() {
 class Drawing {
   public:
     explicit Drawing(int dim) : dim_(dim) {
-        gmsh::option::setNumber("Mesh.ElementOrder", 1);
+        for (const auto& [option, value] : {std::pair{"Algorithm", frontal_delaunay},
+                                            {"Algorithm3D", delaunay},
+                                            {"ElementOrder", 1},
+                                            {"RecombineAll", 0},
+                                            {"Recombine3DAll", 0},
+                                            {"SubdivisionAlgorithm", 0}})
+            gmsh::option::setNumber("Mesh." + std::string(option), value);
         const auto [low, high] = bounding_box();
         extent_ = high - low;
     }
@@ -411,6 +450,7 @@ Model read(const std::string& path, std::optional<double> size) {
     if (size && !(*size > 0 && std::isfinite(*size)))
         throw InvalidInput("--size " + shown(*size) + " is not positive and finite");
     try {
+        const Quiet quiet;
         const Session session(path);
         session.open();
         const bool is_script = path.ends_with(".geo") || path.ends_with(".geo_unrolled");

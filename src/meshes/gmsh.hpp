@@ -19,7 +19,8 @@ struct Model {
 /// Reads what Gmsh reads: a drawing, such as .geo or .step, which is meshed, or a mesh, such as .msh.
 /// Surfaces in a plane z = const are a body in the plane, volumes one in space; if some of them are in
 /// physical groups, only those. The nodes are the particles, the physical groups of curves or surfaces the
-/// sides. Elements of second order count by their corners.
+/// sides. Elements of second order count by their corners. Drawings are meshed by triangles and tetrahedra,
+/// the same each time.
 /// \param size of the cells of a drawing [length]; it goes before all sizes that the drawing gives. Without
 ///        it, those hold.
 /// \throws base::InvalidInput in one line with the file, the cause and a remedy: for a file that cannot be
