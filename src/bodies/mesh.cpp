@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "particles/cells.hpp"
@@ -80,13 +82,37 @@ void check_cells(const Mesh<dim>& mesh) {
     }
 }
 
-/// Which of the nodes are corners of cells.
+/// The number of a place along Morton's curve, which fills the unit cube: the bits of its coordinates in turn.
+template <int dim>
+std::uint64_t along_curve(const Point<dim>& x) {
+    constexpr int bits = 62 / dim;
+    const Eigen::Matrix<std::uint64_t, dim, 1> at =
+        (x * (std::pow(2, bits) - 1)).template cast<std::uint64_t>();
+    std::uint64_t number = 0;
+    for (int bit = bits; bit-- > 0;)
+        for (int axis = 0; axis < dim; ++axis) number = number << 1U | (at[axis] >> bit & 1U);
+    return number;
+}
+
+/// The nodes that are corners of cells, neighbours near to each other.
 template <int dim>
 std::vector<int> used_nodes(const Mesh<dim>& mesh) {
     std::vector<int> used;
     for (const auto& cell : mesh.cells) used.insert(used.end(), cell.begin(), cell.end());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
+
+    Point<dim> low = at(mesh, used[0]), high = low;
+    for (const int node : used) {
+        low = low.cwiseMin(at(mesh, node));
+        high = high.cwiseMax(at(mesh, node));
+    }
+    std::vector<std::pair<std::uint64_t, int>> order;
+    order.reserve(used.size());
+    for (const int node : used)
+        order.emplace_back(along_curve<dim>((at(mesh, node) - low) / (high - low).maxCoeff()), node);
+    std::sort(order.begin(), order.end());
+    std::transform(order.begin(), order.end(), used.begin(), [](const auto& one) { return one.second; });
     return used;
 }
 

@@ -12,7 +12,7 @@ namespace bodies {
 /// A part of the boundary of a mesh that has one name, such as the facets on a curve of the drawing.
 template <int dim>
 struct Patch {
-    int number;                      ///< of the curve or the surface in the drawing, for messages
+    int number = 0;                  ///< of the curve or the surface in the drawing, for messages
     std::vector<std::string> sides;  ///< the sides that it belongs to; one, or none where it has no name
     std::vector<std::array<int, dim>> facets;
     std::map<int, Point<dim>> normals{};  ///< of its nodes, where the shape is known; either way round
@@ -26,12 +26,12 @@ struct Mesh {
     std::vector<Patch<dim>> patches;
 };
 
-/// The body that a mesh fills. Its particles are the nodes of the cells in their order, its boundary the
-/// facets of one cell only. A place has the normal of the shape where that is known. Elsewhere it is the mean
-/// over the pieces that meet there at less than 40 degrees, with the weights of N. Max, "Weights for
-/// computing vertex normals from facet normals", J. Graphics Tools 4 (1999), which are exact on a circle and
-/// on a sphere. Normals of one side at a particle that differ by less than 20 degrees are one place with
-/// their mean. A mesh whose patches have no name has one side, "boundary".
+/// The body that a mesh fills. Its particles are the nodes of the cells, neighbours near to each other in
+/// memory; its boundary is the facets of one cell only. A place has the normal of the shape where that is
+/// known. Elsewhere it is the mean over the pieces that meet there at less than 40 degrees, with the weights
+/// of N. Max, "Weights for computing vertex normals from facet normals", J. Graphics Tools 4 (1999), which
+/// are exact on a circle and on a sphere. Normals of one side at a particle that differ by less than 20
+/// degrees are one place with their mean. A mesh whose patches have no name has one side, "boundary".
 /// \throws base::InvalidInput with the place and a remedy: for a mesh without cells; positions that are not
 ///         finite; a cell without area or volume; nodes in cells that are not theirs, as where parts overlap
 ///         or touch without common nodes; a facet with two cells on one side; a named facet inside the body

@@ -136,8 +136,8 @@ gmsh::vectorpair entities(int dim) {
 /// The elements of one type in an entity: their nodes by Gmsh's numbers, corners first.
 struct Elements {
     std::string name;
-    int order;
-    std::size_t nodes, corners;  ///< of each
+    int order = 1;
+    std::size_t nodes = 0, corners = 0;  ///< of each
     std::vector<std::size_t> tags;
 
     [[nodiscard]] std::size_t count() const { return tags.size() / nodes; }
@@ -369,7 +369,7 @@ class Reader {
     void add_cells(const Elements& some) {
         for (std::size_t k = 0; k < some.count(); ++k) {
             if (some.corners == dim + 1) {
-                std::array<int, dim + 1> cell;
+                std::array<int, dim + 1> cell{};
                 for (std::size_t corner = 0; corner <= dim; ++corner)
                     cell[corner] = node(some.corner(k, corner));
                 mesh_.cells.push_back(cell);
@@ -417,7 +417,7 @@ class Reader {
             Patch<dim> patch{tag, groups_of(dim - 1, tag), {}};
             for (const Elements& some : elements(dim - 1, tag))
                 for (std::size_t k = 0; some.corners == dim && k < some.count(); ++k) {
-                    std::array<int, dim> facet;
+                    std::array<int, dim> facet{};
                     for (std::size_t corner = 0; corner < dim; ++corner)
                         facet[corner] = node(some.corner(k, corner));
                     patch.facets.push_back(facet);
