@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "batra2008/section_3_1_collocation.hpp"
+#include "particles/boundary.hpp"
+#include "particles/region_rules.hpp"
 
 namespace batra2008 {
 
@@ -80,11 +82,11 @@ struct Subdomain {
 
 /// \param x particle \param h its smoothing length \param test kernel of the test function \param gauss
 ///         \f$n_G\f$
-inline Subdomain subdomain(const Problem& problem, const particles::Region& region, const Point<2>& x,
+inline Subdomain subdomain(const Problem& problem, const particles::Boundary& boundary, const Point<2>& x,
                            double h, const Kernel& test, Index gauss) {
     Subdomain Omega;
     const double reach = test.rho() * h;
-    for (const auto& point : particles::polar_rule(region, x, reach, gauss, 4 * gauss))
+    for (const auto& point : particles::polar_rule(boundary, x, reach, gauss, 4 * gauss))
         Omega.inside.push_back(
             {point.x, point.weight, W<2>(test, point.x - x, h), DW<2>(test, point.x - x, h)});
     for (const elastostatics::Side& side : problem.sides)
@@ -432,7 +434,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
     problem = elastostatics::checked(std::move(problem), cloud);
     const auto worst = ssph_basis::require_quality<m>(
         cloud, kernel, h, std::vector<int>(static_cast<std::size_t>(cloud.size()), 1));
-    const particles::Region region = elastostatics::region(problem);
+    const particles::Boundary boundary(elastostatics::region(problem));
     const Eigen::Matrix3d D = elastostatics::D(problem.material);
     const Kernel test(form.test_scaling);
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
@@ -441,7 +443,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
             cloud.within(cloud.x().col(I), (kernel.rho() + test.rho()) * h[I]);
     });
     const auto Omega = [&](Index I) {
-        return subdomain(problem, region, cloud.x().col(I), h[I], test, form.gauss);
+        return subdomain(problem, boundary, cloud.x().col(I), h[I], test, form.gauss);
     };
     const auto slopes =
         form.gradient == Gradient::differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none;

@@ -51,7 +51,7 @@ void check_unit(const std::string& name, const Points<2>& x) {
 }
 
 /// ", such as 0.02": a smaller distance that keeps particles apart; empty if none is found.
-std::string smaller_snap(const Points<2>& x, const particles::Region& boundary, double distance) {
+std::string smaller_snap(const Points<2>& x, const particles::Boundary& boundary, double distance) {
     for (int k = 1; k <= 30; ++k) {
         const std::string smaller = base::shown(std::ldexp(distance, -k), 2);
         try {
@@ -67,7 +67,7 @@ std::string smaller_snap(const Points<2>& x, const particles::Region& boundary, 
 Layout snapped(Layout layout, const QuarterWithHole& shape, double distance) {
     using namespace batra2008;
     if (distance == 0) return layout;
-    const auto boundary = elastostatics::region(hole::problem({hole::E, hole::nu}, shape));
+    const particles::Boundary boundary(elastostatics::region(hole::problem({hole::E, hole::nu}, shape)));
     static_cast<void>(particles::Cloud<2>(layout.x));  // which refuses particles that coincide in the file
     auto [there, moved, farthest] = particles::snapped(layout.x, boundary, distance);
     try {

@@ -17,20 +17,6 @@ using base::shown;
 
 namespace {
 
-/// The part of a boundary nearest to a place.
-struct Nearest {
-    const Curve* curve;
-    double distance;
-};
-
-Nearest nearest_part(const Region& region, const Point<2>& x) {
-    Nearest nearest{&region.front(), (x - closest(region.front(), x)).norm()};
-    for (const Curve& curve : region)
-        if (const double distance = (x - closest(curve, x)).norm(); distance < nearest.distance)
-            nearest = {&curve, distance};
-    return nearest;
-}
-
 /// Why a particle may not lie where it lies.
 struct Fault {
     std::string why;  ///< the end of a sentence; empty if it may lie there
@@ -40,22 +26,23 @@ struct Fault {
 /// Finds the particles of a cloud that may not lie where they lie.
 class Astray {
   public:
-    Astray(const Cloud<2>& cloud, const Region& region, double size)
-        : cloud_(cloud), region_(region), size_(size) {}
+    Astray(const Cloud<2>& cloud, const Boundary& boundary, double size)
+        : cloud_(cloud), boundary_(boundary), size_(size) {}
 
     [[nodiscard]] Fault operator()(Index j) const {
         const Point<2> x = cloud_.x().col(j);
-        const bool on = nearest_part(region_, x).distance <= negligible * size_;
-        if (!on && !contains(region_, x, size_)) {
-            const auto [curve, distance] = nearest_part(region_, x);
-            return {"lies outside the body, " + shown(distance, 3) + " from " + shown_curve(*curve),
-                    distance};
-        }
-        for (const Curve& curve : region_) {
+        const Nearest nearest = boundary_.nearest(x);
+        const bool on = nearest.distance <= negligible * size_;
+        if (!on && !contains(boundary_, x, size_))
+            return {"lies outside the body, " + shown(nearest.distance, 3) + " from " +
+                        shown_curve(boundary_.curves()[nearest.curve]),
+                    nearest.distance};
+        for (const std::size_t k : boundary_.near(x, beside * cloud_.apart()[j])) {
+            const Curve& curve = boundary_.curves()[k];
             const Point<2> foot = closest(curve, x);
             const double distance = (foot - x).norm();
-            if (distance <= negligible * size_) continue;
-            const bool bare = distance < beside * cloud_.apart()[j] && is_bare(curve, foot, j);
+            if (distance <= negligible * size_ || (on && is_along(k, x))) continue;
+            const bool bare = is_bare(k, foot, j);
             if (!bare && distance >= boundary_margin * cloud_.apart()[j]) continue;
             const auto [first, last] = ends(curve);
             const double to_corner = std::min((first - x).norm(), (last - x).norm());
@@ -72,9 +59,16 @@ class Astray {
     /// boundary has no particle of its own there, that particle is meant to be on it.
     static constexpr double beside = 0.25;
 
-    /// Whether a place on a part of the boundary is farther from all particles on it than particles are from
-    /// each other: the median distance, to the next one, of particle j and its eight nearest.
-    [[nodiscard]] bool is_bare(const Curve& curve, const Point<2>& foot, Index j) const {
+    /// Whether a place lies on the run of parts to which part k belongs.
+    [[nodiscard]] bool is_along(std::size_t k, const Point<2>& x) const {
+        const std::vector<std::size_t> here = boundary_.near(x, negligible * size_);
+        return std::any_of(here.begin(), here.end(),
+                           [&](std::size_t other) { return boundary_.run(other) == boundary_.run(k); });
+    }
+
+    /// Whether a place on part k of the boundary is farther from all particles on its run than particles are
+    /// from each other: the median distance, to the next one, of particle j and its eight nearest.
+    [[nodiscard]] bool is_bare(std::size_t k, const Point<2>& foot, Index j) const {
         const Point<2> x = cloud_.x().col(j);
         double reach = cloud_.apart()[j];
         std::vector<int> near;
@@ -83,16 +77,16 @@ class Astray {
         }
         std::vector<double> apart;
         apart.reserve(near.size());
-        for (const int k : near) apart.push_back(cloud_.apart()[k]);
+        for (const int other : near) apart.push_back(cloud_.apart()[other]);
         const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
         std::nth_element(apart.begin(), middle, apart.end());
         const std::vector<int> around = cloud_.within(foot, 0.8 * *middle);
         return std::none_of(around.begin(), around.end(),
-                            [&](int k) { return lies_on(curve, cloud_.x().col(k), size_); });
+                            [&](int other) { return is_along(k, cloud_.x().col(other)); });
     }
 
     const Cloud<2>& cloud_;
-    const Region& region_;
+    const Boundary& boundary_;
     double size_;
 };
 
@@ -103,39 +97,43 @@ std::string shown_span(const Points<2>& x) {
 }
 
 /// "; the particles span 2.5 x 2.5, the body 3 x 3", if these differ.
-std::string other_span(const Cloud<2>& cloud, const Region& region) {
-    Points<2> corners(2, 2 * static_cast<Index>(region.size()));
-    Index k = 0;
-    for (const Curve& curve : region)
-        for (const Point<2>& end : ends(curve)) corners.col(k++) = end;
-    const std::string particles = shown_span(cloud.x()), body = shown_span(corners);
+std::string other_span(const Cloud<2>& cloud, const Boundary& boundary) {
+    Box around;
+    for (const Curve& curve : boundary.curves()) around.extend(box(curve));
+    const std::string particles = shown_span(cloud.x()),
+                      body = shown_span(
+                          Points<2>{{around.min()[0], around.max()[0]}, {around.min()[1], around.max()[1]}});
     return particles == body ? "" : "; the particles span " + particles + ", the body " + body;
 }
 
-/// \throws InvalidInput naming a part of the boundary without a particle on it
-void require_particles_on(const Curve& curve, const Cloud<2>& cloud, const Region& region, double size) {
-    Index nearest = 0;
-    double least = INFINITY;
-    for (Index j = 0; j < cloud.size(); ++j)
-        if (const double distance = (cloud.x().col(j) - closest(curve, cloud.x().col(j))).norm();
-            distance < least) {
-            nearest = j;
-            least = distance;
-        }
-    if (least <= negligible * size) return;
-    throw InvalidInput(shown_curve(curve) + " has no particle on it; the nearest is particle " +
-                       std::to_string(nearest) + " at " + shown_point(cloud.x().col(nearest)) + ", " +
-                       shown(least, 3) + " away" + other_span(cloud, region));
+/// \throws InvalidInput naming a run of parts of the boundary, by its first one, without a particle on it
+void require_particles_on(const Boundary& boundary, const Cloud<2>& cloud, double size) {
+    const Region& curves = boundary.curves();
+    std::vector<bool> met(curves.size(), false);
+    for (const auto& x : cloud.x().colwise())
+        for (const std::size_t k : boundary.near(x, negligible * size)) met[boundary.run(k)] = true;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        if (met[boundary.run(k)]) continue;
+        const auto away = [&](Index j) {
+            return (cloud.x().col(j) - closest(curves[k], cloud.x().col(j))).norm();
+        };
+        Index nearest = 0;
+        for (Index j = 1; j < cloud.size(); ++j)
+            if (away(j) < away(nearest)) nearest = j;
+        throw InvalidInput(shown_curve(curves[k]) + " has no particle on it; the nearest is particle " +
+                           std::to_string(nearest) + " at " + shown_point(cloud.x().col(nearest)) + ", " +
+                           shown(away(nearest), 3) + " away" + other_span(cloud, boundary));
+    }
 }
 
 /// Whether check_particles() would take these particles.
-bool fits(const Points<2>& x, const Region& region, double size) {
+bool fits(const Points<2>& x, const Boundary& boundary, double size) {
     try {
         const Cloud<2> cloud(x);
-        const Astray astray(cloud, region, size);
+        const Astray astray(cloud, boundary, size);
         for (Index j = 0; j < cloud.size(); ++j)
             if (!astray(j).why.empty()) return false;
-        for (const Curve& curve : region) require_particles_on(curve, cloud, region, size);
+        require_particles_on(boundary, cloud, size);
         return true;
     } catch (const InvalidInput&) {
         return false;
@@ -144,8 +142,8 @@ bool fits(const Points<2>& x, const Region& region, double size) {
 
 /// "; try --snap 6.1e-08": the least distance that moves all particles that are astray onto the boundary.
 /// Empty if that leaves a particle astray, or moves one by more than half its distance to the next.
-std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size) {
-    const Astray astray(cloud, region, size);
+std::string snap_remedy(const Cloud<2>& cloud, const Boundary& boundary, double size) {
+    const Astray astray(cloud, boundary, size);
     double farthest = 0;
     for (Index j = 0; j < cloud.size(); ++j) {
         const auto [why, distance] = astray(j);
@@ -154,36 +152,40 @@ std::string snap_remedy(const Cloud<2>& cloud, const Region& region, double size
     }
     for (const double more : {1.1, 1.6, 2.2}) {  // a corner is farther away than a side
         const std::string rounded = shown(more * farthest, 2);
-        const Points<2> moved = snapped(cloud.x(), region, std::stod(rounded)).x;
+        const Points<2> moved = snapped(cloud.x(), boundary, std::stod(rounded)).x;
         const Column<double> way = (moved - cloud.x()).colwise().norm().transpose();
-        if ((way <= cloud.apart() / 2).all() && fits(moved, region, size)) return "; try --snap " + rounded;
+        if ((way <= cloud.apart() / 2).all() && fits(moved, boundary, size)) return "; try --snap " + rounded;
     }
     return "";
 }
 
 }  // namespace
 
-void check_particles(const Cloud<2>& cloud, const Region& region, double size) {
-    const Astray astray(cloud, region, size);
+void check_particles(const Cloud<2>& cloud, const Boundary& boundary, double size) {
+    const Astray astray(cloud, boundary, size);
     for (Index j = 0; j < cloud.size(); ++j)
         if (const std::string why = astray(j).why; !why.empty())
             throw InvalidInput("particle " + std::to_string(j) + " at " + shown_point(cloud.x().col(j)) +
-                               " " + why + snap_remedy(cloud, region, size) + other_span(cloud, region));
-    for (const Curve& curve : region) require_particles_on(curve, cloud, region, size);
+                               " " + why + snap_remedy(cloud, boundary, size) + other_span(cloud, boundary));
+    require_particles_on(boundary, cloud, size);
 }
 
-Snapped snapped(Points<2> x, const Region& region, double distance) {
+Snapped snapped(Points<2> x, const Boundary& boundary, double distance) {
     if (!(std::isfinite(distance) && distance > 0))
         throw InvalidInput("the distance to snap must be positive and finite, got " + shown(distance));
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     Snapped result{std::move(x)};
     for (auto place : result.x.colwise()) {
-        const auto [curve, away] = nearest_part(region, place);
-        if (away > distance) continue;
-        Point<2> there = closest(*curve, place);
-        for (const Curve& any : region)
-            for (const Point<2>& end : ends(any))
-                if ((end - place).norm() <= distance) there = end;
+        const Nearest nearest = boundary.nearest(place);
+        if (nearest.distance > distance) continue;
+        Point<2> there = nearest.place;
+        double to_end = distance;
+        for (const std::size_t k : boundary.near(place, distance))
+            for (const Point<2>& end : ends(boundary.curves()[k]))
+                if (const double away = (end - place).norm(); away <= to_end) {
+                    there = end;
+                    to_end = away;
+                }
         const double way = (there - place).norm(), round_off = 4 * epsilon * there.norm();
         place = there;
         if (way <= round_off) continue;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/index.hpp"
+#include "particles/boundary.hpp"
 #include "particles/cloud.hpp"
-#include "particles/region.hpp"
 
 namespace particles {
 
@@ -11,13 +11,13 @@ namespace particles {
 constexpr double boundary_margin = 1e-3;
 
 /// Checks that the particles tell what boundary they have. Particles on it, within 1e-8 of the body's size,
-/// carry its conditions; the others are inner ones.
-/// \param region as checked() returns it
+/// carry its conditions; the others are inner ones. What is asked of a part of the boundary is asked of the run
+/// of parts between two sharp corners: a curve cut into many sides needs no particle on each of them.
 /// \param size a length of the body
 /// \throws base::InvalidInput with a remedy, naming a particle, for one that lies outside the body; beside a
 ///         part of the boundary within the boundary_margin; or within a quarter of its spacing, where that
 ///         part has no particle of its own. Naming a part of the boundary, for one without a particle on it
-void check_particles(const Cloud<2>& cloud, const Region& region, double size);
+void check_particles(const Cloud<2>& cloud, const Boundary& boundary, double size);
 
 /// Particles some of which were moved onto the boundary.
 struct Snapped {
@@ -29,6 +29,6 @@ struct Snapped {
 /// Moves particles within a distance of the boundary to its nearest point; to the end of a part, a corner, if
 /// that is within the distance.
 /// \throws base::InvalidInput unless the distance is positive and finite
-Snapped snapped(Points<2> x, const Region& region, double distance);
+Snapped snapped(Points<2> x, const Boundary& boundary, double distance);
 
 }  // namespace particles

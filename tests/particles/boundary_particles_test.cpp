@@ -9,18 +9,19 @@
 
 #include "base/errors.hpp"
 #include "particles/layouts.hpp"
-#include "tests/clouds.hpp"
+#include "particles/region_check.hpp"
+#include "tests/regions.hpp"
 
 using namespace particles;
 
 namespace {
 
-const double pi = std::acos(-1.0);
+using support::pi;
+
 const QuarterWithHole shape{0.3, 3};
 
 Region quarter() {
-    return {Segment{{0.3, 0}, {3, 0}}, Segment{{3, 0}, {3, 3}}, Segment{{3, 3}, {0, 3}},
-            Segment{{0, 3}, {0, 0.3}}, Arc{{0, 0}, 0.3, 0, pi / 2}};
+    return support::quarter(0.3, 3);
 }
 
 const Points<2>& layout() {
@@ -217,4 +218,46 @@ TEST_CASE("boundary_particles: moves by round-off are not counted") {
     const auto [there, moved, farthest] = snapped(x, quarter(), 1e-3);
     CHECK(moved == 1);
     CHECK(farthest == doctest::Approx(1e-12));
+}
+
+TEST_CASE(
+    "boundary_particles: a grid on a body that is not convex fits it, and a particle in the notch does not") {
+    const Region l_shape = support::polygon({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+    Points<2> x(2, 0);
+    for (int i = 0; i <= 20; ++i)
+        for (int j = 0; j <= 20; ++j)
+            if (i <= 10 || j <= 10) {
+                x.conservativeResize(2, x.cols() + 1);
+                x.rightCols(1) = Point<2>(i, j) / 10;
+            }
+    CHECK_NOTHROW(check_particles(Cloud<2>(x), l_shape, 2));
+    x.rightCols(1) = Point<2>(1.04, 1.55);
+    CHECK_THROWS_WITH_AS(
+        check_particles(Cloud<2>(x), l_shape, 2),
+        doctest::Contains("at (1.04, 1.55) lies outside the body, 0.04 from the side from (1, 1) to (1, 2)"),
+        base::InvalidInput);
+}
+
+TEST_CASE(
+    "boundary_particles: a curve cut into many sides needs particles as the curve does, not on each side") {
+    // A disc with rings of particles, and polygons of up to a hundred times as many sides as particles.
+    for (const int sides : {32, 96, 3200}) {
+        CAPTURE(sides);
+        const Region region = checked(support::polygon(support::regular(sides)), 2);
+        Points<2> x(2, 1 + 32 * 5);
+        x.col(0) = Point<2>(0, 0);
+        for (int ring = 0; ring < 5; ++ring)
+            for (int k = 0; k < 32; ++k)
+                x.col(1 + 32 * ring + k) = (1 - 0.18 * ring) * direction(2 * pi * k / 32);
+        CHECK_NOTHROW(check_particles(Cloud<2>(x), region, 2));
+        const Points<2> inner = 0.97 * x;
+        CHECK_THROWS_WITH_AS(check_particles(Cloud<2>(inner), region, 2),
+                             doctest::Contains("which has no particle of its own there; try --snap 0.0"),
+                             base::InvalidInput);
+        CHECK_NOTHROW(check_particles(Cloud<2>(snapped(inner, region, 0.06).x), region, 2));
+        const Points<2> far = 0.8 * x;
+        CHECK_THROWS_WITH_AS(check_particles(Cloud<2>(far), region, 2),
+                             doctest::Contains("has no particle on it; the nearest is particle "),
+                             base::InvalidInput);
+    }
 }
