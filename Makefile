@@ -53,7 +53,7 @@ tool_objects := $(call objects_in,src/expressions/% src/command_line/% src/repor
 claim_objects := $(filter-out $(tool_objects),$(call objects_in,\
                    $(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)) src/report/%))
 method_objects := $(filter-out $(claim_objects),\
-                    $(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
+                    $(call objects_in,$(papers:%=src/%/%) src/bodies/% src/solvers/% src/particles/% src/base/%))
 cli := $(BUILD)/src/command_line/command_line.o
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
@@ -104,7 +104,7 @@ endif
 # every file includes what it needs.
 ifeq (,$(findstring clang,$(CXX)))
 libraries := $(BUILD)/src/libraries.hpp.gch $(BUILD)/tests/libraries.hpp.gch
-with_eigen := $(papers) solvers particles expressions command_line programs
+with_eigen := $(papers) bodies solvers particles expressions command_line programs
 $(filter-out $(cli),$(call objects_in,$(with_eigen:%=src/%/%))): $(BUILD)/src/libraries.hpp.gch
 $(call objects_in,$(with_eigen:%=tests/%/%)): $(BUILD)/tests/libraries.hpp.gch
 $(libraries): make/libraries.hpp $(BUILD)/flags

@@ -1,0 +1,162 @@
+#include "bodies/approximation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "base/choose.hpp"
+#include "batra2008/basis_at.hpp"
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
+#include "particles/requirement.hpp"
+
+namespace bodies {
+
+namespace ssph_basis = batra2008::ssph_basis;
+namespace second_order_fpm = fpm_in_space::second_order_fpm;
+
+namespace {
+
+template <int dim>
+using Kernel = particles::TruncatedGaussian<dim>;
+
+/// The radius, in units of h, at which the Gaussian of FPM is lowered to zero.
+template <int dim>
+inline constexpr double cut = dim == 2 ? 3.5 : 3;
+
+template <class Work>
+auto with_degree(int degree, const Work& work) {
+    if (degree == 2) return work(std::integral_constant<int, 2>{});
+    if (degree == 3) return work(std::integral_constant<int, 3>{});
+    throw base::InvalidInput("monomials of degree 2 or 3 are known, not " + std::to_string(degree));
+}
+
+template <int dim, int m>
+Weights<dim> of_basis(const ssph_basis::Basis<dim, m>& basis, bool differentiated, Derivatives which) {
+    const auto count = static_cast<Index>(basis.particle().size());
+    Weights<dim> weights{basis.particle(), basis.row(1), Offsets<double, dim>(count, dim), {}};
+    for (int axis = 0; axis < dim; ++axis)
+        weights.first.col(axis) = differentiated ? basis.DK(1, axis) : basis.row(2 + axis);
+    if (which == Derivatives::first) return weights;
+    weights.second.resize(count, second_derivatives<dim>);
+    static constexpr auto all = particles::monomials<dim, 2>();
+    for (Index k = 0; k < second_derivatives<dim>; ++k)
+        weights.second.col(k) =
+            particles::factorial<dim>(all[static_cast<std::size_t>(1 + dim + k)]) * basis.row(2 + dim + k);
+    return weights;
+}
+
+/// Weights on differences from the value at a particle, as weights on values.
+template <int dim>
+Weights<dim> of_differences(const particles::Derivatives<double, dim>& derivatives, std::vector<int> particle,
+                            Index I, double h) {
+    const auto count = static_cast<Index>(particle.size());
+    const Index own = std::lower_bound(particle.begin(), particle.end(), I) - particle.begin();
+    Weights<dim> weights{std::move(particle), Column<double>::Zero(count), derivatives.first / h,
+                         derivatives.second / (h * h)};
+    weights.value[own] = 1;
+    weights.first.row(own).setZero();
+    weights.second.row(own).setZero();
+    weights.first.row(own) = -weights.first.colwise().sum();
+    weights.second.row(own) = -weights.second.colwise().sum();
+    return weights;
+}
+
+/// The Taylor polynomial of degree 2 around a particle.
+template <int dim>
+Weights<dim> moved(Weights<dim> at, const Point<dim>& s) {
+    static constexpr auto all = particles::monomials<dim, 2>();
+    for (int axis = 0; axis < dim; ++axis) at.value += s[axis] * at.first.col(axis);
+    for (Index k = 0; k < second_derivatives<dim>; ++k) {
+        const auto& a = all[static_cast<std::size_t>(1 + dim + k)];
+        at.value += ssph_basis::power<dim>(s, a) / particles::factorial<dim>(a) * at.second.col(k);
+        for (int axis = 0; axis < dim; ++axis) {
+            auto lower = a;
+            if (lower[static_cast<std::size_t>(axis)]-- == 0) continue;
+            at.first.col(axis) +=
+                ssph_basis::power<dim>(s, lower) / particles::factorial<dim>(lower) * at.second.col(k);
+        }
+    }
+    return at;
+}
+
+}  // namespace
+
+std::string name(Method method) {
+    return method == Method::fpm      ? "fpm"
+           : method == Method::strong ? "strong"
+           : method == Method::weak1  ? "weak1"
+           : method == Method::weak2  ? "weak2"
+                                      : "hats";
+}
+
+Method method_named(std::string_view wanted) {
+    return base::choose<Method>("method", wanted,
+                                {{"fpm", Method::fpm},
+                                 {"strong", Method::strong},
+                                 {"weak1", Method::weak1},
+                                 {"weak2", Method::weak2},
+                                 {"hats", Method::hats}});
+}
+
+template <int dim>
+Approximation<dim>::Approximation(Cloud<dim> cloud, const Discretisation& how)
+    : cloud_(std::move(cloud)), how_(how) {
+    const Column<double> spacing = particles::spacing(cloud_, how.spacing);
+    h_ = spacing.size() == 1 ? Column<double>(Column<double>::Constant(cloud_.size(), spacing[0])) : spacing;
+    if (how.method == Method::fpm) h_ *= how.smoothing;
+}
+
+template <int dim>
+std::vector<int> Approximation<dim>::neighbours(Index I) const {
+    const double reach = how_.method == Method::fpm ? cut<dim> : how_.scaling;
+    return cloud_.within(cloud_.x().col(I), reach * h_[I]);
+}
+
+template <int dim>
+Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
+    const Point<dim> x = cloud_.x().col(I);
+    if (how_.method != Method::fpm) return at(x, which);
+    std::vector<int> near = neighbours(I);
+    const Kernel<dim> kernel(cut<dim>);
+    return of_differences<dim>(
+        second_order_fpm::derivatives<double, dim>(particles::neighbourhood(cloud_, kernel, x, h_[I], near)),
+        near, I, h_[I]);
+}
+
+template <int dim>
+Weights<dim> Approximation<dim>::at(const Point<dim>& x, Derivatives which) const {
+    const Index I = cloud_.nearest(x);
+    if (how_.method == Method::fpm) return moved(at_particle(I), Point<dim>(x - cloud_.x().col(I)));
+    const bool differentiated = how_.method == Method::weak2;
+    return with_degree(how_.degree, [&](auto m) {
+        return of_basis<dim, m>(
+            ssph_basis::basis_at<m>(
+                cloud_, Kernel<dim>(how_.scaling), x, h_[I], cloud_.within(x, how_.scaling * h_[I]),
+                differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none, h_),
+            differentiated, which);
+    });
+}
+
+template <int dim>
+Weights<dim> Approximation<dim>::at_particle_from_nearest(Index I, Index enough) const {
+    const Point<dim> x = cloud_.x().col(I);
+    const bool fpm = how_.method == Method::fpm;
+    const Kernel<dim> kernel(fpm ? cut<dim> : how_.scaling);
+    return with_degree(fpm ? 2 : how_.degree, [&](auto m) {
+        const std::vector<int> near =
+            ssph_basis::nearest_that_determine<m, dim>(cloud_, kernel, I, h_[I], enough);
+        if (!fpm)
+            return of_basis<dim, m>(
+                ssph_basis::basis_at<m>(cloud_, kernel, x, h_[I], near, ssph_basis::Slopes::none, h_), false,
+                Derivatives::second);
+        return of_differences<dim>(
+            ssph_basis::derivatives<m>(particles::neighbourhood(cloud_, kernel, x, h_[I], near)), near, I,
+            h_[I]);
+    });
+}
+
+template class Approximation<2>;
+template class Approximation<3>;
+
+}  // namespace bodies

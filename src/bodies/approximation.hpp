@@ -1,0 +1,89 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bodies/body.hpp"
+#include "particles/cloud.hpp"
+#include "particles/operators.hpp"
+#include "particles/spacing.hpp"
+
+namespace bodies {
+
+using particles::Cloud;
+using particles::Column;
+using particles::Offsets;
+using particles::second_derivatives;
+
+/// The methods by their names in the papers; `fpm` is the second-order FPM of fpm_in_space. `hats` is weak1 with
+/// other test functions: the hats of the cells, which are linear on each cell and one at one particle.
+enum class Method { fpm, strong, weak1, weak2, hats };
+
+std::string name(Method method);
+
+/// \throws base::InvalidInput for another name
+Method method_named(std::string_view wanted);
+
+/// How a problem is solved.
+struct Discretisation {
+    Method method = Method::fpm;
+    int degree = 2;          ///< m of the SSPH basis
+    double scaling = 3;      ///< ρ of the SSPH basis, whose h is the spacing
+    double smoothing = 1.2;  ///< h of FPM over the spacing
+    particles::Spacing spacing = particles::Spacing::local;
+    double penalty = 0;       ///< α [coefficient/length]; for the weak forms
+    double test_scaling = 1;  ///< ρ of the test function
+    Index gauss = 10;         ///< \f$n_G\f$ of the weak forms
+};
+
+/// Weights on the unknowns of some particles for a function and its derivatives at a place.
+template <int dim>
+struct Weights {
+    std::vector<int> particle;  ///< in increasing order
+    Column<double> value;
+    Offsets<double, dim> first;                       ///< [1/length]
+    Offsets<double, second_derivatives<dim>> second;  ///< in the order of particles::monomials() [1/length²]
+};
+
+/// Which derivatives are asked for.
+enum class Derivatives { first, second };
+
+/// The function that the unknowns of the particles stand for.
+///
+/// With an SSPH basis it is the field \f$\sum_J K_{1J} u_J\f$. With FPM the unknowns are its values, and
+/// between the particles it is the Taylor polynomial of degree 2 of the nearest one.
+template <int dim>
+class Approximation {
+  public:
+    /// \throws base::InvalidInput for a method that does not work in this dimension
+    Approximation(Cloud<dim> cloud, const Discretisation& how);
+
+    [[nodiscard]] const Cloud<dim>& cloud() const { return cloud_; }
+    [[nodiscard]] const Discretisation& how() const { return how_; }
+    /// Smoothing length of each particle. [length]
+    [[nodiscard]] const Column<double>& h() const { return h_; }
+
+    /// At a particle.
+    /// \throws base::FailedComputation where the neighbours do not determine the derivatives
+    [[nodiscard]] Weights<dim> at_particle(Index I, Derivatives which = Derivatives::second) const;
+
+    /// At any place of the body.
+    [[nodiscard]] Weights<dim> at(const Point<dim>& x, Derivatives which = Derivatives::first) const;
+
+    /// The same from few neighbours, for a preconditioner.
+    [[nodiscard]] Weights<dim> at_particle_from_nearest(Index I, Index enough) const;
+
+    /// The neighbours of a particle that may enter its weights, in increasing order.
+    [[nodiscard]] std::vector<int> neighbours(Index I) const;
+
+  private:
+    Cloud<dim> cloud_;
+    Discretisation how_;
+    Column<double> h_;
+};
+
+extern template class Approximation<2>;
+extern template class Approximation<3>;
+
+}  // namespace bodies

@@ -1,0 +1,217 @@
+#include "bodies/conditions.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "particles/points.hpp"
+
+namespace bodies {
+
+namespace {
+
+/// Sine of the angle below which two directions count as one.
+constexpr double parallel = 0.02;
+
+/// What is given at a particle by one of its sides.
+template <int dim, int n>
+struct Here {
+    const Given<dim, n>* given;  ///< null for a free side
+    const std::string* side;
+    Point<dim> normal;
+};
+
+/// The order in which sides are asked for a load.
+template <int dim, int n>
+int rank(const Here<dim, n>& here) {
+    if (here.given == nullptr) return 1;
+    return here.given->symmetry ? 2 : 0;
+}
+
+template <int dim, int n>
+bool gives_load_along(const Here<dim, n>& here, const Values<n>& d) {
+    if (here.given == nullptr) return true;
+    for (int i = 0; i < n; ++i)
+        if (here.given->value[static_cast<std::size_t>(i)] && std::abs(d[i]) > parallel) return false;
+    if constexpr (n == dim)
+        if (here.given->symmetry && std::abs(d.dot(here.normal)) > parallel) return false;
+    return true;
+}
+
+/// The part of a direction that is orthogonal to others, which are orthonormal.
+template <int n>
+Values<n> rest(Values<n> d, const std::vector<Values<n>>& others) {
+    for (int twice = 0; twice < 2; ++twice)
+        for (const Values<n>& other : others) d -= d.dot(other) * other;
+    return d;
+}
+
+/// Adds a direction unless it is a combination of the others.
+template <int n>
+bool spans_more(std::vector<Values<n>>& span, const Values<n>& d) {
+    const Values<n> left = rest(d, span);
+    if (left.norm() <= parallel) return false;
+    span.push_back(left.normalized());
+    return true;
+}
+
+template <int dim, int n>
+double finite(double value, const char* what, const Here<dim, n>& here, const Point<dim>& x) {
+    if (!std::isfinite(value))
+        throw base::FailedComputation(std::string(what) + " on the side " + *here.side +
+                                      " is not finite at " + particles::shown_point(x));
+    return value;
+}
+
+template <int dim, int n>
+Condition<dim, n> value_along(const Here<dim, n>& here, const Point<dim>& x, int component) {
+    const auto& value = here.given->value[static_cast<std::size_t>(component)];
+    return {true, Values<n>::Unit(component), here.normal, finite(value(x), "the given value", here, x)};
+}
+
+template <int dim, int n>
+Condition<dim, n> load_along(const Here<dim, n>& here, const Point<dim>& x, const Values<n>& d) {
+    Condition<dim, n> condition{false, d, here.normal};
+    if (here.given == nullptr) return condition;
+    for (const Load<dim, n>& load : here.given->loads)
+        condition.given += finite(load(x, here.normal).dot(d), "the load", here, x);
+    if (here.given->exchange) {
+        condition.exchange = finite(here.given->exchange(x), "the convection", here, x);
+        condition.given +=
+            condition.exchange * finite(here.given->surroundings(x), "the surroundings", here, x);
+    }
+    return condition;
+}
+
+/// The directions in which loads are given: the axes as far as values leave them free.
+template <int n>
+std::vector<Values<n>> complement(std::vector<Values<n>> span) {
+    std::vector<Values<n>> left;
+    while (span.size() < static_cast<std::size_t>(n)) {
+        Values<n> most = Values<n>::Zero();
+        for (int i = 0; i < n; ++i)
+            if (const Values<n> d = rest<n>(Values<n>::Unit(i), span); d.norm() > most.norm() + 1e-12)
+                most = d;
+        left.push_back(most.normalized());
+        span.push_back(left.back());
+    }
+    return left;
+}
+
+template <int dim, int n>
+std::vector<Condition<dim, n>> by_rule(const std::vector<Here<dim, n>>& all, const Point<dim>& x) {
+    std::vector<Condition<dim, n>> found;
+    std::vector<Values<n>> span;
+    for (const Here<dim, n>& here : all) {
+        if (here.given == nullptr) continue;
+        for (int i = 0; i < n; ++i)
+            if (here.given->value[static_cast<std::size_t>(i)] && spans_more<n>(span, Values<n>::Unit(i)))
+                found.push_back(value_along(here, x, i));
+        if constexpr (n == dim)
+            if (here.given->symmetry && spans_more<n>(span, here.normal))
+                found.push_back({true, here.normal, here.normal});
+    }
+    for (const Values<n>& d : complement<n>(span)) {
+        const Here<dim, n>* best = nullptr;
+        for (const Here<dim, n>& here : all)
+            if (gives_load_along(here, d) && (best == nullptr || rank(here) < rank(*best))) best = &here;
+        found.push_back(load_along(best != nullptr ? *best : all.front(), x, d));
+    }
+    return found;
+}
+
+template <int dim, int n>
+std::vector<Condition<dim, n>> by_choice(const Corner& corner, const std::vector<Here<dim, n>>& all,
+                                         const Point<dim>& x) {
+    std::vector<Condition<dim, n>> found;
+    for (int i = 0; i < n; ++i) {
+        const std::string& side = corner.by_component[static_cast<std::size_t>(i)];
+        const auto here =
+            std::find_if(all.begin(), all.end(), [&](const auto& one) { return *one.side == side; });
+        if (here->given != nullptr && here->given->value[static_cast<std::size_t>(i)])
+            found.push_back(value_along(*here, x, i));
+        else
+            found.push_back(load_along(*here, x, Values<n>(Values<n>::Unit(i))));
+    }
+    return found;
+}
+
+template <int dim, int n>
+void check(const Problem<dim, n>& problem, const Body<dim>& body) {
+    const auto known = [&](const std::string& side) {
+        return std::any_of(body.sides.begin(), body.sides.end(),
+                           [&](const Side<dim>& one) { return one.name == side; });
+    };
+    const auto require_known = [&](const std::string& side) {
+        if (known(side)) return;
+        std::string names;
+        for (const Side<dim>& one : body.sides)
+            if (!is_unnamed(one.name)) names += (names.empty() ? "" : ", ") + one.name;
+        throw base::InvalidInput("the body has no side '" + side + "'; its sides are " + names);
+    };
+    for (auto given = problem.given.begin(); given != problem.given.end(); ++given) {
+        require_known(given->side);
+        if (std::any_of(problem.given.begin(), given,
+                        [&](const auto& one) { return one.side == given->side; }))
+            throw base::InvalidInput("the side " + given->side + " is given twice");
+    }
+    for (const Corner& corner : problem.corners) {
+        for (const std::string& side : corner.sides) require_known(side);
+        if (corner.by_component.size() != n)
+            throw base::InvalidInput("the corner of " + corner.sides[0] + " and " + corner.sides[1] +
+                                     " needs " + std::to_string(n) + " sides, one for each component, got " +
+                                     std::to_string(corner.by_component.size()));
+        for (const std::string& side : corner.by_component)
+            if (side != corner.sides[0] && side != corner.sides[1])
+                throw base::InvalidInput("the corner of " + corner.sides[0] + " and " + corner.sides[1] +
+                                         " takes its conditions from one of them, not from " + side);
+    }
+}
+
+}  // namespace
+
+template <int dim, int n>
+std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& problem,
+                                                       const Body<dim>& body) {
+    check(problem, body);
+    std::map<std::string, std::size_t> order;
+    for (std::size_t k = 0; k < problem.given.size(); ++k) order[problem.given[k].side] = k;
+    std::vector<std::vector<std::pair<std::size_t, Here<dim, n>>>> met(
+        static_cast<std::size_t>(body.x.cols()));
+    for (const Side<dim>& side : body.sides) {
+        const auto place = order.find(side.name);
+        const std::size_t k = place == order.end() ? problem.given.size() : place->second;
+        for (const auto& [particle, normal] : side.places)
+            met[static_cast<std::size_t>(particle)].push_back(
+                {k, {place == order.end() ? nullptr : &problem.given[k], &side.name, normal}});
+    }
+    std::vector<std::vector<Condition<dim, n>>> all(met.size());
+    for (std::size_t I = 0; I < met.size(); ++I) {
+        if (met[I].empty()) continue;
+        std::stable_sort(met[I].begin(), met[I].end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::vector<Here<dim, n>> here;
+        for (const auto& [k, one] : met[I]) here.push_back(one);
+        const Point<dim> x = body.x.col(static_cast<Index>(I));
+        const auto meets = [&](const std::string& side) {
+            return std::any_of(here.begin(), here.end(), [&](const auto& one) { return *one.side == side; });
+        };
+        const auto chosen = std::find_if(
+            problem.corners.begin(), problem.corners.end(),
+            [&](const Corner& corner) { return meets(corner.sides[0]) && meets(corner.sides[1]); });
+        all[I] = chosen == problem.corners.end() ? by_rule(here, x) : by_choice(*chosen, here, x);
+    }
+    return all;
+}
+
+template std::vector<std::vector<Condition<2, 1>>> conditions(const Problem<2, 1>&, const Body<2>&);
+template std::vector<std::vector<Condition<3, 1>>> conditions(const Problem<3, 1>&, const Body<3>&);
+template std::vector<std::vector<Condition<2, 2>>> conditions(const Problem<2, 2>&, const Body<2>&);
+template std::vector<std::vector<Condition<3, 3>>> conditions(const Problem<3, 3>&, const Body<3>&);
+
+}  // namespace bodies

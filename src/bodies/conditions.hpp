@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "bodies/problem.hpp"
+
+namespace bodies {
+
+/// One scalar condition at a boundary particle, along a direction d of the unknowns: \f$d\cdot u = g\f$, or of
+/// the load on a plane with normal n, \f$d\cdot t = g - a\,d\cdot u\f$.
+template <int dim, int n>
+struct Condition {
+    bool of_value;
+    Values<n> direction;
+    Point<dim> normal;
+    double given = 0;     ///< g
+    double exchange = 0;  ///< a
+};
+
+/// The conditions of each particle: n on the boundary, none inside.
+///
+/// At an edge or a corner several sides meet. A given value goes before a load; of two values, or of two
+/// loads, that of the side named first holds. The shear that a plane of symmetry excludes comes after loads
+/// that are named, and a free side comes last. Problem::corners overrides this.
+/// \throws base::InvalidInput for a side that the body does not have, for one named twice, and for a
+///         component of which value and load are given
+/// \throws base::FailedComputation naming the particle and the side where a given function is not finite
+template <int dim, int n>
+std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& problem, const Body<dim>& body);
+
+/// Refuses a problem whose body can move as a whole, or a scalar that is known up to a constant.
+/// \param conditions of each particle
+/// \throws base::InvalidInput naming the motion
+template <int dim, int n>
+void require_held(const Problem<dim, n>& problem, const Body<dim>& body,
+                  const std::vector<std::vector<Condition<dim, n>>>& conditions);
+
+}  // namespace bodies

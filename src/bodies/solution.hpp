@@ -1,0 +1,81 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bodies/approximation.hpp"
+#include "bodies/problem.hpp"
+#include "particles/quality.hpp"
+
+namespace bodies {
+
+/// A solution: the unknowns, and what makes them a function.
+template <int dim, int n>
+struct Solution {
+    Approximation<dim> approximation;
+    Eigen::VectorXd u;   ///< n unknowns of each particle, neighbours of one another
+    double quality = 0;  ///< R of the worst row, particles::quality()
+    Index worst = 0;     ///< its particle
+    /// The reaction at each particle and component where a value is given, by a weak form; empty otherwise.
+    Eigen::VectorXd reactions{};
+};
+
+/// \throws base::InvalidInput for a problem without meaning and for a method that does not work on this body
+/// \throws base::FailedComputation where the method cannot solve it
+template <int dim, int n>
+Solution<dim, n> solve(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how);
+
+/// The unknown functions at a place, with \f$\partial_b u_j\f$ and \f$F_{ia}\f$ (stress, or k∇u) as n × dim
+/// matrices.
+template <int dim, int n>
+struct State {
+    Values<n> u;
+    Eigen::Matrix<double, n, dim> gradient, F;
+};
+
+/// \param x a place of the body
+template <int dim, int n>
+State<dim, n> state_at(const Problem<dim, n>& problem, const Solution<dim, n>& solution, const Point<dim>& x);
+
+/// The von Mises stress. \param material for plane strain, whose third normal stress counts
+template <int dim>
+double von_mises(const Eigen::Matrix<double, dim, dim>& stress,
+                 const batra2008::elastostatics::Material& material);
+
+/// What acts on a body, each side by itself. [force, in the plane for each unit of thickness; or heat]
+template <int n>
+struct Balance {
+    std::vector<std::pair<std::string, Values<n>>> loads;      ///< given, by side
+    std::vector<std::pair<std::string, Values<n>>> reactions;  ///< of given values, by side
+    Values<n> volume;  ///< of the body force or the source, less the reaction c u
+    double defect;     ///< what is left of the sum, over the sum of the sizes of the terms
+};
+
+/// The loads and the integrals of the solution's own load \f$F n\f$ over the sides with given values.
+template <int dim, int n>
+Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
+
+/// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
+template <int dim, int n>
+double noise(const Solution<dim, n>& solution);
+
+/// The lowest eigenvalues λ of \f$-\sum_a\partial_a F_{ia} + c\,u_i = \lambda\,u_i\f$ under the conditions of
+/// the problem with all given values and loads zero, in increasing order.
+/// \throws base::FailedComputation where the iteration does not converge or an eigenvalue is not real
+template <int dim, int n>
+std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>& body,
+                                const Discretisation& how, Index count);
+
+/// A quantity on three clouds, each finer than the one before by the same ratio.
+struct Extrapolated {
+    double order;        ///< observed; NaN where the differences do not decrease
+    double value;        ///< that of the finest, and what is left by the observed order
+    double uncertainty;  ///< 1.25 |f3 − f2|/(r^p − 1); three times the range for an order that cannot be
+};
+
+/// Roache's grid convergence index with a factor of 1.25. \param ratio r of the spacings \param formal order
+///         of the method: an observed order counts between 0.5 and formal + 1
+Extrapolated extrapolated(double f1, double f2, double f3, double ratio, double formal);
+
+}  // namespace bodies
