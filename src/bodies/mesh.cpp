@@ -82,7 +82,7 @@ void check_cells(const Mesh<dim>& mesh) {
     }
 }
 
-/// The number of a place along Morton's curve, which fills the unit cube: the bits of its coordinates in turn.
+/// The number of a place along Morton's curve, which fills the unit cube: bits of the coordinates in turn.
 template <int dim>
 std::uint64_t along_curve(const Point<dim>& x) {
     constexpr int bits = 62 / dim;

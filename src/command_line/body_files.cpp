@@ -219,7 +219,7 @@ double length(const Segment& piece) {
     return (piece.to - piece.from).norm();
 }
 
-/// The normals where two successive pieces of a side meet, at the end of the first and the start of the second.
+/// The normals of a side where two of its pieces meet: at the end of the first, at the start of the second.
 std::array<Point<2>, 2> normals_between(const Segment& before, const Segment& after) {
     const Point<2> first = normal_of(before), second = normal_of(after);
     if (!(first.dot(second) > smooth)) return {first, second};

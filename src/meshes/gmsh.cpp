@@ -254,16 +254,14 @@ class Drawing {
 
     /// Area or volume of the cells.
     [[nodiscard]] double content() const {
-        gmsh::plugin::setNumber("MeshVolume", "Dimension", dim_);
         double sum = 0;
         for (const auto& [dim, tag] : entities(dim_)) {
             std::vector<int> types;
-            std::vector<std::vector<std::size_t>> numbers, nodes;
-            gmsh::model::mesh::getElements(types, numbers, nodes, dim, tag);
+            gmsh::model::mesh::getElementTypes(types, dim, tag);
             for (const int type : types) {
-                std::vector<double> local{1.0 / 3, 1.0 / 3, dim == 3 ? 1.0 / 3 : 0}, jacobians, determinants,
-                    x;
-                gmsh::model::mesh::getJacobians(type, local, jacobians, determinants, x, tag);
+                const std::vector<double> corner{0, 0, 0};
+                std::vector<double> jacobians, determinants, x;
+                gmsh::model::mesh::getJacobians(type, corner, jacobians, determinants, x, tag);
                 for (const double determinant : determinants)
                     sum += std::abs(determinant) / (dim == 2 ? 2 : 6);
             }
@@ -321,17 +319,18 @@ class Reader {
         std::vector<std::size_t> nodes;
         std::vector<double> x, parameters;
         gmsh::model::mesh::getNodes(nodes, x, parameters, -1, -1, false, false);
-        for (std::size_t k = 0; k < nodes.size(); ++k) order_.emplace_back(nodes[k], k);
-        std::sort(order_.begin(), order_.end());
+        std::vector<std::pair<std::size_t, std::size_t>> order;  // Gmsh's numbers, and their places there
+        for (std::size_t k = 0; k < nodes.size(); ++k) order.emplace_back(nodes[k], k);
+        std::sort(order.begin(), order.end());
         x_.resize(3, static_cast<Index>(nodes.size()));
-        for (std::size_t k = 0; k < order_.size(); ++k) {
-            number_[order_[k].first] = static_cast<int>(k);
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                x_(static_cast<Index>(axis), static_cast<Index>(k)) = x[3 * order_[k].second + axis];
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            number_[order[k].first] = static_cast<int>(k);
+            x_.col(static_cast<Index>(k)) = Point<3>::Map(&x[3 * order[k].second]);
         }
     }
 
     Mesh<dim> mesh() {
+        note_other_groups();
         read_cells();
         if (dim == 2) check_plane();
         mesh_.x = x_.topRows<dim>();
@@ -343,6 +342,19 @@ class Reader {
 
   private:
     [[nodiscard]] int node(std::size_t tag) const { return number_.at(tag); }
+
+    /// Says of groups of points, and in space of curves, that they are no sides.
+    void note_other_groups() {
+        gmsh::vectorpair groups;
+        gmsh::model::getPhysicalGroups(groups);
+        for (const auto& [of_dim, group] : groups) {
+            if (of_dim >= dim - 1) continue;
+            std::string name;
+            gmsh::model::getPhysicalName(of_dim, group, name);
+            notes.push_back("The Physical " + std::string(of_dim == 0 ? "Point" : "Curve") + " '" +
+                            (name.empty() ? std::to_string(group) : name) + "' is no side");
+        }
+    }
 
     void read_cells() {
         gmsh::vectorpair all = entities(dim), named;
@@ -429,9 +441,7 @@ class Reader {
         }
     }
 
-    std::vector<std::pair<std::size_t, std::size_t>>
-        order_;  // Gmsh's numbers of nodes, and their places there
-    std::unordered_map<std::size_t, int> number_;
+    std::unordered_map<std::size_t, int> number_;  // of a node by that of Gmsh's
     Eigen::Matrix3Xd x_;
     Mesh<dim> mesh_;
 };
