@@ -58,8 +58,10 @@ cli := $(BUILD)/src/command_line/command_line.o
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
-programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter src/programs/%,$(sources)))
-tests := $(filter-out $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/%),$(call objects_in,tests/%))
+# Gmsh's library is for one program and its tests, which make/body.mk links.
+programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter-out %/body.cpp,$(filter src/programs/%,$(sources))))
+body_tests := $(call objects_in,tests/meshes/% tests/programs/body%)
+tests := $(filter-out $(body_tests) $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/%),$(call objects_in,tests/%))
 
 .PHONY: help setup build data figures check claims clean FORCE
 help: ## list the targets
@@ -69,7 +71,7 @@ goals := $(filter-out setup,$(MAKECMDGOALS))
 setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@CXX='$(CXX)' SANITIZE='$(SANITIZE)' bash make/setup $(goals)
 
-include make/tables.mk make/doc.mk make/quality.mk make/install.mk
+include make/tables.mk make/doc.mk make/quality.mk make/install.mk make/body.mk
 
 build: $(programs) ## compile the programs into build/bin
 
@@ -104,7 +106,7 @@ endif
 # every file includes what it needs.
 ifeq (,$(findstring clang,$(CXX)))
 libraries := $(BUILD)/src/libraries.hpp.gch $(BUILD)/tests/libraries.hpp.gch
-with_eigen := $(papers) bodies solvers particles expressions command_line programs
+with_eigen := $(papers) bodies meshes solvers particles expressions command_line programs
 $(filter-out $(cli),$(call objects_in,$(with_eigen:%=src/%/%))): $(BUILD)/src/libraries.hpp.gch
 $(call objects_in,$(with_eigen:%=tests/%/%)): $(BUILD)/tests/libraries.hpp.gch
 $(libraries): make/libraries.hpp $(BUILD)/flags
@@ -121,7 +123,7 @@ $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	    -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
 	mv $@.tmp.o $@
 # Tests compile a sixth faster at -O1, and run as long; CLI11, a third. --plot finds the figures' scripts in the folder of the source.
-$(tests) $(BUILD)/tests/libraries.hpp.gch $(cli): private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
+$(tests) $(body_tests) $(BUILD)/tests/libraries.hpp.gch $(cli): private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
 $(cli): CITATION.cff
 $(cli): private CPPFLAGS += -DVERSION='"$(version)"'
 $(BUILD)/src/command_line/plot.o: private CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'

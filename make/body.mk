@@ -1,0 +1,16 @@
+# The program for bodies of the reader's own and its tests: only they need Gmsh's library.
+.PHONY: body check-body
+body: $(bin)/body ## compile the program for a body of your own into build/bin
+
+check-body: $(bin)/check_body ## run the tests of what reads drawings and meshes
+	@$(bin)/check_body
+
+mesh_objects := $(call objects_in,src/meshes/%)
+$(bin)/body: $(BUILD)/src/programs/body.o $(mesh_objects)
+$(bin)/check_body: $(BUILD)/tests/main.o $(body_tests) $(mesh_objects)
+$(bin)/body $(bin)/check_body: LDLIBS += -lgmsh
+$(bin)/body $(bin)/check_body: $(tools) $(methods)
+	@mkdir -p $(@D)
+	echo "link $@"
+	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(tools) $(methods) $(LDLIBS) $(LDFLAGS) -o $@.tmp.bin
+	mv $@.tmp.bin $@
