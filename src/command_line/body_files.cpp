@@ -277,6 +277,18 @@ void add_place(bodies::Side<2>& side, int particle, const Point<2>& normal) {
     side.places.push_back({particle, normal});
 }
 
+/// \throws InvalidInput for two particles so near that they are one
+void check_apart(const particles::Cloud<2>& cloud, double size) {
+    for (particles::Index j = 0; j < cloud.size(); ++j) {
+        const double apart = cloud.apart()[j];
+        if (apart > negligible * size) continue;
+        const std::vector<int> both = cloud.within(cloud.x().col(j), 2 * apart);
+        throw InvalidInput("particles " + std::to_string(both[0]) + " and " + std::to_string(both[1]) +
+                           " lie " + shown(apart, 3) + " apart at " + shown_point(cloud.x().col(j)) +
+                           "; leave one of them out");
+    }
+}
+
 /// Work whose errors begin with an option and its file.
 template <class Work>
 auto said_of(const std::string& option, const std::string& path, const Work& work) {
@@ -289,13 +301,15 @@ auto said_of(const std::string& option, const std::string& path, const Work& wor
 
 }  // namespace
 
-BodyFromFiles read_body(const std::string& points, const std::string& boundary, double snap) {
+BodyFromFiles read_body(const std::string& points, const std::string& boundary, std::optional<double> snap) {
+    if (snap && !(*snap > 0 && std::isfinite(*snap)))
+        throw InvalidInput("--snap " + shown(*snap) + " is no distance; it must be positive and finite");
     const particles::Points<2> x = read_points<2>(of_points, points, {}, "a body in the plane");
     if (x.cols() == 0)
         throw InvalidInput(of_points + ": " + points + " has no rows; it needs x,y of each particle");
     Outline outline(boundary);
     const double size = outline.size();
-    const std::vector<Polyline> sides = outline.joined(std::max(snap, negligible * size));
+    const std::vector<Polyline> sides = outline.joined(std::max(snap.value_or(0), negligible * size));
 
     particles::Region pieces;
     for (const Polyline& side : sides)
@@ -306,11 +320,15 @@ BodyFromFiles read_body(const std::string& points, const std::string& boundary, 
 
     BodyFromFiles found{{x, {}}};
     bodies::Body<2>& body = found.body;
-    if (snap > 0) {
-        const particles::Snapped moved = particles::snapped(x, whole, snap);
+    if (snap) {
+        const particles::Snapped moved = particles::snapped(x, whole, *snap);
         found = {{moved.x, {}}, moved.moved, moved.farthest};
     }
-    said_of(of_points, points, [&] { particles::check_particles(particles::Cloud<2>(body.x), whole, size); });
+    said_of(of_points, points, [&] {
+        const particles::Cloud<2> cloud(body.x);
+        check_apart(cloud, size);
+        particles::check_particles(cloud, whole, size);
+    });
 
     std::vector<Edge> edges;
     for (std::size_t number = 0; number < sides.size(); ++number) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "bodies/body.hpp"
@@ -24,11 +25,12 @@ struct BodyFromFiles {
 /// \param boundary file of sides, with the columns name, order, x and y, and perhaps nx and ny, a vector that
 ///        points outward. The places of a side follow one another by the numbers of `order`
 /// \param snap particles within this distance of the boundary are moved onto it, and ends of sides within
-///        this distance meet; 0 for none [length]
+///        this distance meet [length]
 /// \throws base::InvalidInput in one line with file and line or place, and a remedy: for missing columns and
 ///         files without rows; for places of a side with the same number, and equal ones in succession; for a
 ///         boundary that is open or crosses itself; for normals that do not point outward; for particles that
 ///         coincide, lie outside the body or a little beside its boundary; and for a side without particles
-BodyFromFiles read_body(const std::string& points, const std::string& boundary, double snap = 0);
+BodyFromFiles read_body(const std::string& points, const std::string& boundary,
+                        std::optional<double> snap = {});
 
 }  // namespace command_line

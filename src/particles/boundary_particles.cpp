@@ -37,7 +37,7 @@ class Astray {
             return {"lies outside the body, " + shown(nearest.distance, 3) + " from " +
                         shown_curve(boundary_.curves()[nearest.curve]),
                     nearest.distance};
-        for (const std::size_t k : boundary_.near(x, beside * cloud_.apart()[j])) {
+        for (const std::size_t k : nearest_of_runs(x, beside * cloud_.apart()[j])) {
             const Curve& curve = boundary_.curves()[k];
             const Point<2> foot = closest(curve, x);
             const double distance = (foot - x).norm();
@@ -58,6 +58,20 @@ class Astray {
     /// Share of the distance to the nearest particle within which a particle lies beside the boundary. If the
     /// boundary has no particle of its own there, that particle is meant to be on it.
     static constexpr double beside = 0.25;
+
+    /// Of each run of parts that comes within a distance of a place, the nearest part; the nearest run first.
+    [[nodiscard]] std::vector<std::size_t> nearest_of_runs(const Point<2>& x, double reach) const {
+        std::vector<std::size_t> parts = boundary_.near(x, reach);
+        const auto away = [&](std::size_t k) { return (closest(boundary_.curves()[k], x) - x).norm(); };
+        std::stable_sort(parts.begin(), parts.end(),
+                         [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
+        std::vector<std::size_t> found;
+        for (const std::size_t k : parts)
+            if (std::none_of(found.begin(), found.end(),
+                             [&](std::size_t other) { return boundary_.run(other) == boundary_.run(k); }))
+                found.push_back(k);
+        return found;
+    }
 
     /// Whether a place lies on the run of parts to which part k belongs.
     [[nodiscard]] bool is_along(std::size_t k, const Point<2>& x) const {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,14 @@ struct Files {
     }
 };
 
-command_line::BodyFromFiles read(const std::string& points, const std::string& boundary, double snap = 0) {
+command_line::BodyFromFiles read(const std::string& points, const std::string& boundary,
+                                 std::optional<double> snap = {}) {
     const Files files(points, boundary);
     return read_body(files.points, files.boundary, snap);
 }
 
 /// What is said of the files, without their folder.
-std::string refusal(const std::string& points, const std::string& boundary, double snap = 0) {
+std::string refusal(const std::string& points, const std::string& boundary, std::optional<double> snap = {}) {
     const Files files(points, boundary);
     try {
         static_cast<void>(read_body(files.points, files.boundary, snap));
@@ -185,6 +187,27 @@ TEST_CASE(
     CHECK(read(square_grid(4), wide, 1.1e-6).body.sides.size() == 4);
 }
 
+TEST_CASE(
+    "body_files: particles a little beside a curve of many pieces are moved by the distance that is named") {
+    const double turn = 2 * std::acos(-1.0);
+    std::string points = "0,0\n", sides = "name,order,x,y\n";
+    for (int k = 0; k < 32; ++k) points += row(Point<2>(std::cos(turn * k / 32), std::sin(turn * k / 32)));
+    for (int k = 0; k < 1000; ++k)
+        sides += "rim," + std::to_string(k) + "," +
+                 row(Point<2>(std::cos(turn * k / 1000), std::sin(turn * k / 1000)));
+    const std::string said = refusal(points, sides);
+    CAPTURE(said);
+    REQUIRE(said.find("; try --snap ") != std::string::npos);
+    const double snap = std::stod(said.substr(said.find("--snap ") + 7));
+    CHECK(snap < 1e-5);
+    const bodies::Body<2> body = read(points, sides, snap).body;
+    CHECK(body.sides[0].places.size() == 32);
+    for (const auto& [particle, normal] : body.sides[0].places)
+        CHECK((normal - Point<2>(body.x.col(particle)).normalized()).norm() < 1e-5);
+    for (const double none : {0.0, -1.0, std::nan("")})
+        CHECK(refusal(points, sides, none).ends_with(" is no distance; it must be positive and finite"));
+}
+
 TEST_CASE("body_files: what is no boundary is refused with file and line") {
     const std::string points = square_grid(4);
     struct Case {
@@ -228,6 +251,8 @@ TEST_CASE("body_files: particles that do not fit are refused with their file") {
              {"", "--points: nodes.csv has no rows; it needs x,y of each particle"},
              {"x,y,z\n0,0,0\n", ""},
              {square_grid(4) + "0.5,0.5\n", "particles 12 and 25 coincide at (0.5, 0.5)"},
+             {square_grid(4) + "0.5,0.500000001\n",
+              "particles 12 and 25 lie 1e-09 apart at (0.5, 0.5); leave one of them out"},
              {square_grid(4) + "0.5,1.1\n", "particle 25 at (0.5, 1.1) lies outside the body"},
              {"0.5,0.5\n0.2,0.5\n0.5,0.3\n", "has no particle"}}) {
         const std::string said = refusal(points, square);
