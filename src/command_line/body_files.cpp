@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -234,8 +235,9 @@ std::vector<Edge> edges_of(const Outline& outline, const Polyline& side, std::si
     const bool closed = side.vertices.front().x == side.vertices.back().x,
                backward = (pieces[0].from - side.vertices[0].x).norm() > length(pieces[0]) / 2;
     std::vector<Edge> edges;
-    for (const Segment& piece : pieces)
-        edges.push_back({number, piece, {normal_of(piece), normal_of(piece)}});
+    std::transform(pieces.begin(), pieces.end(), std::back_inserter(edges), [&](const Segment& piece) {
+        return Edge{number, piece, {normal_of(piece), normal_of(piece)}};
+    });
     // Along the vertices; a piece that runs backward starts at its second one.
     const std::size_t start = backward ? 1 : 0, end = backward ? 0 : 1;
     for (std::size_t k = 0; k < count; ++k) {
