@@ -15,8 +15,11 @@ double curvature(const Curve& curve) {
 
 Joint joint(const Curve& curve, const Curve& next) {
     const Point<2> before = normal_at(curve, way(curve)[1]), after = normal_at(next, way(next)[0]);
-    const double turn = std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after));
     const double bend = curvature(curve), next_bend = curvature(next);
+    double turn = std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after));
+    const double half_turn = std::acos(-1.0);
+    if (std::abs(turn) > half_turn - negligible)  // a cusp, of the region or into it
+        turn = bend + next_bend < 0 ? half_turn : -half_turn;
     return {before, after, turn,
             std::abs(turn) <= negligible && std::abs(next_bend - bend) <= negligible * std::abs(bend)};
 }

@@ -245,7 +245,7 @@ bool crosses_oddly(const Point<2>& x, const Curve& curve, const std::array<Point
 }
 
 /// For each loop, whether it lies in an even number of others: it is then an outer one.
-std::vector<bool> is_outer(const Region& region, const Loops& loops, const Boxes& boxes) {
+std::vector<bool> is_outer(const Region& region, const Loops& loops, const Boxes& boxes, double slack) {
     std::vector<std::size_t> loop_of(region.size());
     for (std::size_t k = 0; k < loops.all.size(); ++k)
         for (const End& end : loops.all[k]) loop_of[end.curve] = k;
@@ -253,7 +253,8 @@ std::vector<bool> is_outer(const Region& region, const Loops& loops, const Boxes
     for (std::size_t k = 0; k < loops.all.size(); ++k) {
         const Point<2> x = loops.vertex(loops.all[k].front());
         bool even = true;
-        boxes.for_each_meeting(Box(x, Point<2>(HUGE_VAL, x[1])), [&](std::size_t other) {
+        const Point<2> low(x[0], x[1] - slack), high(HUGE_VAL, x[1] + slack);
+        boxes.for_each_meeting(Box(low, high), [&](std::size_t other) {
             if (loop_of[other] != k &&
                 crosses_oddly(x, region[other], {loops.vertex({other, 0}), loops.vertex({other, 1})}))
                 even = !even;
@@ -300,7 +301,7 @@ Region checked(Region region, double size) {
         if (!(std::abs(twice_area(region, loop)) > slack * size))
             throw InvalidInput("the boundary encloses no area");
     if (!meetings.empty()) refuse(meetings.front(), region);
-    const std::vector<bool> outer = is_outer(region, loops, boxes);
+    const std::vector<bool> outer = is_outer(region, loops, boxes, slack);
     for (std::size_t k = 0; k < loops.all.size(); ++k) turn_loop(region, loops.all[k], outer[k]);
     return region;
 }

@@ -33,20 +33,24 @@ class View {
   public:
     View(const Boundary& boundary, const Point<2>& x, double reach)
         : boundary_(boundary), x_(x), reach_(reach) {
-        const double slack = std::max(signed_distance(boundary, x), 0.0) + negligible * reach;
-        const auto is_x = [&](const Point<2>& end) { return (end - x).norm() <= slack; };
-        for (const std::size_t k : boundary.near(x, std::max(reach * (1 + negligible), slack))) {
+        if (signed_distance(boundary, x) > round_off * reach) x_ = boundary.nearest(x).place;
+        const auto is_x = [&](const Point<2>& place) { return (place - x_).norm() <= negligible * reach; };
+        for (const std::size_t k : boundary.near(x_, reach * (1 + negligible))) {
             const Curve& curve = boundary.curves()[k];
-            near_.push_back({k, curve, is_x(closest(curve, x))});
+            near_.push_back({k, curve, is_x(closest(curve, x_))});
             const auto [first, last] = way(curve);
             if (is_x(first)) turn_ = boundary.start(k).turn;
             if (is_x(last)) turn_ = boundary.end(k).turn;
         }
         for (Part& part : near_) {
+            part.is_line = part.at_x && turn_ > 0;
             part.at_x = part.at_x && (turn_ < 0 || !is_crossed_near_x(part.curve));
-            if (part.at_x) outward_.push_back(normal_at(part.curve, x));
+            if (part.at_x) outward_.push_back(normal_at(part.curve, x_));
         }
     }
+
+    /// Where the rays start: the place, or the nearest one on the boundary if it lies outside.
+    [[nodiscard]] const Point<2>& x() const { return x_; }
 
     /// The parts of a ray that lie in the region.
     [[nodiscard]] std::vector<Stretch> inside_along(const Point<2>& along) const {
@@ -93,6 +97,8 @@ class View {
         std::size_t number;
         const Curve& curve;
         bool at_x;  ///< whether the rays start on it
+        bool is_line =
+            false;  ///< whether rays from beside a corner cross a side's line beyond the corner, too
     };
 
     /// Whether a place lies inside of a side by round-off, so that rays out of the region cross the side.
@@ -115,7 +121,7 @@ class View {
                      to = across.dot(side.to - x_);
         const bool beside =
             std::min(from, to) > round_off * reach_ || std::max(from, to) < -round_off * reach_;
-        if (part.at_x || beside || std::abs(approach) <= negligible) return;
+        if (part.at_x || (beside && !part.is_line) || std::abs(approach) <= negligible) return;
         const double distance = (side.from - x_).dot(n) / approach;
         if (distance > 0 && distance < reach_) found.push_back({distance, approach > 0});
     }
@@ -169,7 +175,7 @@ class View {
         const double away = inward.norm(), b = arc.radius;
         const auto add_both = [&](double half, double distance, bool tangent) {
             for (const double angle : {angle_of(inward) - half, angle_of(inward) + half})
-                if (whole || holds(arc, angle_of(distance * direction(angle) - inward)))
+                if (whole || part.at_x || holds(arc, angle_of(distance * direction(angle) - inward)))
                     found.push_back({angle, tangent});
         };
         if (away <= negligible * reach_ || away - b >= reach_ * (1 - negligible)) return;
@@ -233,7 +239,7 @@ std::vector<QuadraturePoint> polar_rule(const Boundary& boundary, const Point<2>
             for (const auto& [near, far] : view.inside_along(ray))
                 for (Index n = 0; n < radial; ++n) {
                     const double r = near + (far - near) * along_ray.x[n];
-                    rule.push_back({x + r * ray, weight * along_ray.w[n] * (far - near) * r});
+                    rule.push_back({view.x() + r * ray, weight * along_ray.w[n] * (far - near) * r});
                 }
         }
     }

@@ -98,3 +98,16 @@ TEST_CASE("boundary: joints turn left at corners, right where they re-enter, and
     const Boundary disc(support::polygon(support::regular(100)));
     for (std::size_t k = 0; k < 100; ++k) CHECK(disc.run(k) == 0);
 }
+
+TEST_CASE("boundary: a cusp of the body is seen by no ray, one into the body by all but one") {
+    // A side that touches a circle: the body is thin between them, or all around their cusp.
+    const Boundary thin({Segment{{0, 0}, {2, 0}}, Segment{{2, 0}, {1, 1}}, Arc{{0, 1}, 1, -pi / 2, 0}});
+    CHECK(thin.start(0).turn == doctest::Approx(pi));
+    CHECK(signed_distance(thin, {-0.5, 0}) == doctest::Approx(0.5));
+    CHECK(signed_distance(thin, {1, 0.1}) == doctest::Approx(-0.1));
+    const Boundary around({support::circle({0, 0}, 9, true), Segment{{2, 0}, {0, 0}}, Segment{{1, 1}, {2, 0}},
+                           Arc{{0, 1}, 1, -pi / 2, 0, true}});
+    CHECK(around.end(1).turn == doctest::Approx(-pi));
+    CHECK(signed_distance(around, {-0.5, 0}) == doctest::Approx(-0.5));
+    CHECK(signed_distance(around, {1, 0.1}) == doctest::Approx(0.1));
+}

@@ -142,6 +142,11 @@ TEST_CASE("region_check: holes of any shape, islands in holes and bodies in piec
           doctest::Approx(8 + pi * (0.09 - 0.01)));
     CHECK(area(checked(together(square(), {circle({2.5, 0.5}, 0.2, false)}), 3)) ==
           doctest::Approx(1 + pi * 0.04));
+    // The hole's first corner and one of the frame lie at one height, but for round-off.
+    const Region wheel =
+        together(polygon({{0.5, 3e-17}, {0, 0.3}, {-0.3, 0}}),
+                 {Segment{{-2, -1}, {2, 0}}, Segment{{2, -1e-17}, {-2, 1}}, Segment{{-2, 1}, {-2, -1}}});
+    CHECK(area(checked(wheel, 2)) == doctest::Approx(4 - 0.12));
     // Holes whose corners lie at one height with others, in two rows of a hundred.
     Region plate = polygon({{-1, -1}, {101, -1}, {101, 4}, {-1, 4}});
     for (int k = 0; k < 200; ++k) {

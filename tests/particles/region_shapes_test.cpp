@@ -166,3 +166,21 @@ TEST_CASE("region_shapes: a polygon of 2000 sides has its area in discs of every
         for (const double radius : {0.003, 0.01, 0.1, 1.1, 2.5})
             CHECK(area(boundary, x, radius, 8) == support::relative(area_in_disc(corners, x, radius), 2e-5));
 }
+
+TEST_CASE("region_shapes: a place off the boundary by round-off, in or out, sees what the boundary sees") {
+    // Corners between sides and arcs that turn in and out, and places on both.
+    const Boundary boundary(checked({Segment{{0, 0}, {2, 0}}, Arc{{2, 0.5}, 0.5, -pi / 2, pi / 2},
+                                     Segment{{2, 1}, {1, 1}}, Arc{{1, 1.5}, 0.5, -pi / 2, pi},
+                                     Segment{{0.5, 1.5}, {0, 1.5}}, Arc{{0, 0.75}, 0.75, -pi / 2, pi / 2}},
+                                    2));
+    support::Draws draw(4);
+    for (const Curve& curve : boundary.curves())
+        for (const Point<2>& on : {ends(curve)[0], ends(curve)[1], closest(curve, {0.7, 0.8})})
+            for (const double radius : {0.3, 1.0}) {
+                const double exact = area(boundary, on, radius, 20);
+                for (const double away : {1e-17, 1e-15, 1e-12, 1e-10, 1e-9}) {
+                    const Point<2> beside = on + away * draw.point<2>();
+                    CHECK(std::abs(area(boundary, beside, radius, 20) - exact) < 1e-3 * radius * radius);
+                }
+            }
+}
