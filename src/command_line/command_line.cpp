@@ -89,7 +89,7 @@ template <class Value>
 CommandLine::Option CommandLine::add_option(const std::string& name, Value& value, const std::string& about) {
     if constexpr (std::is_integral_v<Value>)
         return Option(option_that_reads(*app_, name, value, about, whole_number));
-    else if constexpr (std::is_floating_point_v<Value>)
+    else if constexpr (std::is_floating_point_v<Value> || std::is_same_v<Value, std::optional<double>>)
         return Option(option_that_reads(*app_, name, value, about, number));
     else
         return Option(never_empty(app_->add_option(name, value, about)));
@@ -100,6 +100,8 @@ template CommandLine::Option CommandLine::add_option(const std::string&, int&, c
 template CommandLine::Option CommandLine::add_option(const std::string&, long&, const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, unsigned long&, const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<std::string>&,
+                                                     const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<double>&,
                                                      const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
                                                      const std::string&);
@@ -115,6 +117,13 @@ CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<d
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<long>& values,
                                           const std::string& about) {
     return Option(option_that_reads(*app_, name, values, about, whole_numbers)->type_name("LIST"));
+}
+
+CommandLine::Option CommandLine::add_repeated(const std::string& name, std::vector<Typed>& all,
+                                              const std::string& about) {
+    const auto store = [&all, name](const std::string& text) { all.push_back({name, text}); };
+    return Option(
+        never_empty(app_->add_option_function<std::string>(name, store, about)->trigger_on_parse()));
 }
 
 CommandLine::Option CommandLine::add_flag(const std::string& name, bool& value, const std::string& about) {

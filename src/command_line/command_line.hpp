@@ -13,6 +13,11 @@ class Option;
 
 namespace command_line {
 
+/// What an option said.
+struct Typed {
+    std::string option, text;
+};
+
 /// The options of a program and its `--help`: a thin face over CLI11, which only command_line.cpp includes
 /// because it takes six seconds to compile.
 class CommandLine {
@@ -39,8 +44,8 @@ class CommandLine {
     };
 
     /// \param name with dashes; without them, an argument that is known by its place
-    /// \param value string, double, int, long, unsigned long, std::optional<std::string>, or a vector of
-    ///        strings separated by blanks; unchanged where the option is not given
+    /// \param value string, double, int, long, unsigned long, std::optional of string or double, or a vector
+    ///        of strings separated by blanks; unchanged where the option is not given
     template <class Value>
     Option add_option(const std::string& name, Value& value, const std::string& about);
 
@@ -49,6 +54,10 @@ class CommandLine {
     Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& about);
     Option add_list(const std::string& name, std::vector<double>& values, const std::string& about);
     Option add_list(const std::string& name, std::vector<long>& values, const std::string& about);
+
+    /// One option that may be given several times.
+    /// \param all what it and other options said, in the order of the command line
+    Option add_repeated(const std::string& name, std::vector<Typed>& all, const std::string& about);
 
     Option add_flag(const std::string& name, bool& value, const std::string& about);
 

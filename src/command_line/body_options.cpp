@@ -1,0 +1,286 @@
+#include "command_line/body_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/memory.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "bodies/field_file.hpp"
+#include "command_line/lists.hpp"
+#include "command_line/options.hpp"
+#include "command_line/positions.hpp"
+#include "expressions/parser.hpp"
+
+namespace command_line {
+
+using base::InvalidInput;
+using base::shown;
+using bodies::Body;
+using bodies::Discretisation;
+using bodies::Index;
+using bodies::Method;
+using bodies::Point;
+
+void add_options(CommandLine& app, BodyOptions& options) {
+    app.column_width(34);
+    app.add_option("--mesh", options.mesh,
+                   "a drawing or a mesh that Gmsh reads; its physical groups name the sides")
+        .type_name("FILE");
+    app.add_option("--size", options.size, "size of the cells of a drawing (default: that of the drawing)")
+        .type_name("D");
+    app.add_option("--points", options.points, "instead, in the plane: a file of particles, x,y")
+        .type_name("FILE");
+    app.add_option("--boundary", options.boundary,
+                   "with --points: a file of sides, name,order,x,y and, if known, the normals nx,ny")
+        .type_name("FILE");
+    app.add_option("--snap", options.snap,
+                   "with --points: particles within this distance are moved onto the boundary (default 0)")
+        .type_name("D");
+    add_options(app, options.problem);
+    app.add_list(
+        "--method", options.methods,
+        "methods: all, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
+    app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2)")
+        .type_name("2|3")
+        .within(2, 3);
+    app.add_option("--scaling", options.scaling, "scaling factor rho of the kernel of SSPH (default 3)")
+        .type_name("RHO");
+    app.add_option("--smoothing", options.smoothing,
+                   "fpm: smoothing length over spacing, h/delta (default 1.2)")
+        .type_name("RATIO");
+    app.add_option(
+           "--smoothing-from", options.smoothing_from,
+           "the spacing delta, the unit of smoothing lengths: local (default), mean, largest, nearest, K-nearest (such as 8-nearest); a length; or a file with a number for each particle, FILE or FILE:COLUMN")
+        .type_name("NAME");
+    app.add_option("--gauss", options.gauss, "Gauss points n_G of the weak forms (default 10)")
+        .type_name("N")
+        .within(1, 1000);
+    app.add_option(
+           "--penalty", options.penalty,
+           "penalty of the weak forms, in units of 1e5 E0 over the body's size, or of 1e5 k over it (default 1)")
+        .type_name("FACTOR");
+    app.add_repeated("--at", options.places, "a place where all quantities are wanted").type_name("X,Y[,Z]");
+    app.add_repeated("--along", options.places, "N places on a line, its ends among them")
+        .type_name("X0,Y0:X1,Y1:N");
+    app.add_option("--modes", options.modes, "the K lowest eigenvalues instead; loads count as zero")
+        .type_name("K")
+        .within(1, 1000);
+    app.add_option(
+           "--refine", options.refine,
+           "K clouds of --size, size/sqrt(2), size/2, ...: with the observed order, the extrapolated value and its uncertainty from the last three")
+        .type_name("K")
+        .within(3, 12);
+    app.add_option("--field", options.field,
+                   "file for the fields at the particles: .vtu for ParaView, or .csv")
+        .type_name("FILE");
+    add_plot_option(app, options.figure);
+    app.add_threads(options.threads);
+    app.add_output(options.output);
+}
+
+namespace {
+
+void require_positive(const std::string& option, double number) {
+    if (!(std::isfinite(number) && number > 0))
+        throw InvalidInput(option + " must be positive and finite, got " + shown(number));
+}
+
+/// \throws InvalidInput unless there is one body
+void check_body(const BodyOptions& options) {
+    const bool files = !options.points.empty() || !options.boundary.empty();
+    if (options.mesh.empty() && !files)
+        throw InvalidInput("there is no body; give --mesh FILE, or --points FILE and --boundary FILE");
+    if (!options.mesh.empty() && files)
+        throw InvalidInput("--mesh has the particles and the boundary; leave --points and --boundary out");
+    if (files && (options.points.empty() || options.boundary.empty()))
+        throw InvalidInput(
+            std::string(options.points.empty() ? "--boundary needs --points" : "--points needs --boundary") +
+            "; give both");
+    if (files && options.size)
+        throw InvalidInput("--size belongs to a drawing, --mesh; leave it out beside --points");
+    if (!files && options.snap != 0)
+        throw InvalidInput("--snap belongs to --points; leave it out beside --mesh");
+    if (!(std::isfinite(options.snap) && options.snap >= 0))
+        throw InvalidInput("--snap must be finite and not negative, got " + shown(options.snap));
+    if (options.size) require_positive("--size", *options.size);
+    if (options.refine > 1 && files)
+        throw InvalidInput("--refine needs a drawing, --mesh FILE.geo, whose clouds can be made finer");
+    if (options.refine > 1 && !options.size)
+        throw InvalidInput("--refine needs the --size of the first cloud");
+}
+
+/// \throws InvalidInput for what eigenvalues do not have
+void check_modes(const BodyOptions& options) {
+    if (options.modes == 0) return;
+    const std::string why = " shows a solution, and --modes asks for eigenvalues; leave one of them out";
+    if (!options.places.empty()) throw InvalidInput(options.places.front().option + why);
+    if (!options.field.empty()) throw InvalidInput("--field" + why);
+    if (!options.figure.path.empty()) throw InvalidInput("--plot" + why);
+}
+
+/// The methods by their names; none where the body decides.
+std::vector<std::string> method_names(const BodyOptions& options) {
+    if (options.methods.empty()) return {};
+    return chosen("method", options.methods, {"fpm", "strong", "weak1", "weak2", "hats"});
+}
+
+/// \throws InvalidInput for an option that belongs to none of the methods
+void check_effect(const BodyOptions& options) {
+    const std::vector<std::string> methods = method_names(options);
+    const BodyOptions untouched;
+    const auto refuse_without = [&](const std::string& option, bool changed, const std::string& whose,
+                                    const std::vector<std::string>& those) {
+        const bool asked = std::any_of(methods.begin(), methods.end(), [&](const std::string& method) {
+            return std::find(those.begin(), those.end(), method) != those.end();
+        });
+        if (changed && !methods.empty() && !asked)
+            throw InvalidInput(option + " belongs to " + whose + "; add one of " + joined(those) +
+                               " to --method, or leave " + option + " out");
+    };
+    const std::vector<std::string> weak{"weak1", "weak2", "hats"}, ssph{"strong", "weak1", "weak2", "hats"};
+    refuse_without("--gauss", options.gauss != untouched.gauss, "the weak forms", weak);
+    refuse_without("--penalty", options.penalty != untouched.penalty, "the weak forms", weak);
+    refuse_without("--degree", options.degree != untouched.degree, "methods with an SSPH basis", ssph);
+    refuse_without("--scaling", options.scaling != untouched.scaling, "methods with an SSPH basis", ssph);
+    if (options.smoothing != untouched.smoothing &&
+        std::find(methods.begin(), methods.end(), "fpm") == methods.end())
+        throw InvalidInput("--smoothing belongs to fpm; add fpm to --method, or leave --smoothing out");
+}
+
+}  // namespace
+
+void check(const BodyOptions& options) {
+    check_body(options);
+    check_modes(options);
+    check_effect(options);
+    require_positive("--scaling", options.scaling);
+    require_positive("--smoothing", options.smoothing);
+    require_positive("--penalty", options.penalty);
+    if (!options.field.empty()) bodies::check_field_path(options.field);
+    if (!options.figure.path.empty() && method_names(options).size() > 1)
+        throw InvalidInput("--plot draws one method; name one by --method");
+    std::vector<std::pair<std::string, std::string>> files{
+        {"--output", options.output}, {"--field", options.field},   {"--plot", options.figure.path},
+        {"--mesh", options.mesh},     {"--points", options.points}, {"--boundary", options.boundary}};
+    if (const auto spacing = spacing_from(options.smoothing_from); spacing.kind == particles::Spacing::given)
+        files.emplace_back("--smoothing-from", named_file(options.smoothing_from).path);
+    check_apart(files);
+}
+
+template <int dim>
+std::vector<Discretisation> discretisations(const BodyOptions& options, const Body<dim>& body) {
+    std::vector<std::string> methods = method_names(options);
+    if (methods.empty()) methods = {body.cells.empty() ? "weak1" : "hats"};
+    const particles::Spacing spacing = spacing_from(options.smoothing_from);
+    check_lengths(spacing, options.smoothing_from, body.x.cols());
+    const double size = (body.x.rowwise().maxCoeff() - body.x.rowwise().minCoeff()).maxCoeff();
+    const double penalty = options.penalty * 1e5 * largest_coefficient<dim>(options.problem, body) / size;
+    std::vector<Discretisation> all;
+    for (const std::string& method : methods) {
+        Discretisation how;
+        how.method = bodies::method_named(method);
+        how.degree = static_cast<int>(options.degree);
+        how.scaling = options.scaling;
+        how.smoothing = options.smoothing;
+        how.spacing = spacing;
+        how.penalty = penalty;
+        how.gauss = options.gauss;
+        all.push_back(how);
+    }
+    return all;
+}
+
+template std::vector<Discretisation> discretisations(const BodyOptions&, const Body<2>&);
+template std::vector<Discretisation> discretisations(const BodyOptions&, const Body<3>&);
+
+namespace {
+
+/// The texts between marks.
+std::vector<std::string> parts(const std::string& text, char mark) {
+    std::vector<std::string> found(1);
+    for (const char letter : text)
+        if (letter == mark)
+            found.emplace_back();
+        else
+            found.back() += letter;
+    return found;
+}
+
+template <int dim>
+Point<dim> place(const Typed& typed, const std::string& text) {
+    const std::vector<std::string> numbers = parts(text, ',');
+    if (numbers.size() != dim)
+        throw InvalidInput(typed.option + ": " + base::quoted(typed.text) +
+                           " is no place of this body; write " +
+                           (typed.option == "--at" ? (dim == 2 ? "--at 0.1,0.2" : "--at 0.1,0.2,0.3")
+                            : dim == 2             ? "--along 0,0:0.1,0.2:11"
+                                                   : "--along 0,0,0:0.1,0.2,0.3:11"));
+    Point<dim> x;
+    for (std::size_t axis = 0; axis < dim; ++axis)
+        x[static_cast<Index>(axis)] = number(typed.option, numbers[axis]);
+    return x;
+}
+
+template <int dim>
+std::vector<Point<dim>> line(const Typed& typed) {
+    const std::vector<std::string> ends = parts(typed.text, ':');
+    if (ends.size() != 3)
+        throw InvalidInput(typed.option + ": " + base::quoted(typed.text) +
+                           " is no line of places; write --along " +
+                           (dim == 2 ? "0,0:0.1,0.2:11" : "0,0,0:0.1,0.2,0.3:11"));
+    const Point<dim> from = place<dim>(typed, ends[0]), to = place<dim>(typed, ends[1]);
+    const long count = whole_number(typed.option, ends[2]);
+    if (count < 2 || count > 1000000)
+        throw InvalidInput(typed.option + ": the number of places must lie between 2 and 1000000, got " +
+                           std::to_string(count));
+    std::vector<Point<dim>> all;
+    for (long k = 0; k < count; ++k)
+        all.emplace_back(from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1));
+    return all;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<Point<dim>> places(const BodyOptions& options) {
+    std::vector<Point<dim>> all;
+    for (const Typed& typed : options.places) {
+        if (typed.option == "--at") {
+            all.push_back(place<dim>(typed, typed.text));
+            continue;
+        }
+        const std::vector<Point<dim>> more = line<dim>(typed);
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+}
+
+template std::vector<Point<2>> places(const BodyOptions&);
+template std::vector<Point<3>> places(const BodyOptions&);
+
+std::vector<std::string> comments(const BodyOptions& options, int dim) {
+    const TypedProblem& problem = options.problem;
+    std::string body = options.mesh.empty() ? options.points + " within " + options.boundary : options.mesh;
+    if (options.size) body += ", --size " + shown(*options.size);
+    std::string equation;
+    if (is_scalar(problem)) {
+        equation = "-div(k grad u) + c u = f with k = " + problem.conductivity.value_or("1") +
+                   ", f = " + problem.source.value_or("0");
+    } else {
+        equation = "elasticity, " + (dim == 3 ? "in space" : "plane " + problem.plane.value_or("stress")) +
+                   ", E = " + shown(*problem.young) + ", nu = " + shown(*problem.poisson);
+        if (problem.body_force) equation += ", body force " + *problem.body_force;
+    }
+    if (is_scalar(problem) || problem.reaction != 0) equation += ", c = " + shown(problem.reaction);
+    std::string conditions;
+    for (const auto* list : {&problem.conditions, &problem.corners})
+        for (const auto& [option, text] : *list)
+            conditions += (conditions.empty() ? "" : "; ") + option + " " + text;
+    return {body + "; lengths, forces and stresses in the user's units", equation,
+            "conditions: " + (conditions.empty() ? "none" : conditions)};
+}
+
+}  // namespace command_line

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bodies/approximation.hpp"
+#include "command_line/body_conditions.hpp"
+#include "command_line/command_line.hpp"
+#include "command_line/plot.hpp"
+
+namespace command_line {
+
+/// The options of the program `body`.
+struct BodyOptions {
+    std::string mesh, points, boundary;
+    std::optional<double> size;
+    double snap = 0;
+    TypedProblem problem;
+    std::vector<std::string> methods;  ///< none: hats for a body with cells, else weak1
+    long degree = 2, gauss = 10;
+    double scaling = 3, smoothing = 1.2, penalty = 1;
+    std::string smoothing_from = "local";
+    std::vector<Typed> places;  ///< --at and --along
+    long modes = 0, refine = 1;
+    std::string field, output;
+    int threads = 0;
+    Figure figure{"bodies/body.gp"};
+};
+
+/// Adds the options to a command line.
+void add_options(CommandLine& app, BodyOptions& options);
+
+/// \throws base::InvalidInput for options that need, exclude or overwrite one another, and for numbers without
+///         meaning
+void check(const BodyOptions& options);
+
+/// The methods that are asked for, with their parameters.
+/// \throws base::InvalidInput for an option that belongs to other methods, and for smoothing lengths of
+///         another number of particles
+template <int dim>
+std::vector<bodies::Discretisation> discretisations(const BodyOptions& options,
+                                                    const bodies::Body<dim>& body);
+
+/// The places of `--at` and `--along`, in the order of the command line.
+/// \throws base::InvalidInput for a text that names no place
+template <int dim>
+std::vector<bodies::Point<dim>> places(const BodyOptions& options);
+
+/// What the program was asked, a sentence for each line of comments.
+std::vector<std::string> comments(const BodyOptions& options, int dim);
+
+}  // namespace command_line

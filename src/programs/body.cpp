@@ -1,0 +1,266 @@
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/text.hpp"
+#include "batra2008/section_4_example_problems.hpp"
+#include "command_line/body_files.hpp"
+#include "command_line/body_options.hpp"
+#include "command_line/body_quantities.hpp"
+#include "command_line/options.hpp"
+#include "command_line/progress.hpp"
+#include "meshes/gmsh.hpp"
+
+namespace {
+
+using base::shown;
+using bodies::Body;
+using bodies::Discretisation;
+using bodies::Index;
+using bodies::Point;
+using bodies::Problem;
+using command_line::BodyOptions;
+using command_line::Quantity;
+using report::Cell;
+
+/// A cloud of `--refine` and the next one have particles at distances of this ratio.
+constexpr double ratio = std::numbers::sqrt2;
+
+/// The body that the options name. \param cloud how many clouds of `--refine` are coarser
+meshes::Model model(const BodyOptions& options, long cloud) {
+    if (!options.mesh.empty()) {
+        std::optional<double> size = options.size;
+        if (size) *size /= std::pow(ratio, cloud);
+        return meshes::read(options.mesh, size);
+    }
+    const auto [body, moved, farthest] =
+        command_line::read_body(options.points, options.boundary, options.snap);
+    meshes::Model found{body, {}};
+    if (moved > 0)
+        found.notes.push_back(std::to_string(moved) + " particles were moved onto the boundary, by " +
+                              shown(farthest, 3) + " at most");
+    return found;
+}
+
+/// What a method says of a body on one cloud.
+template <int dim>
+struct Found {
+    std::vector<Quantity<dim>> quantities;
+    std::vector<std::string> remarks;
+};
+
+/// The lowest eigenvalues.
+template <int dim, int n>
+Found<dim> modes(const BodyOptions& options, const Problem<dim, n>& problem, const Body<dim>& body,
+                 const Discretisation& how) {
+    Found<dim> found;
+    const auto all = bodies::eigenvalues<dim, n>(problem, body, how, options.modes);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        found.quantities.push_back({"eigenvalue" + std::to_string(k + 1), {}, all[k]});
+    return found;
+}
+
+/// The columns of the table, without those of `--refine`.
+template <int dim>
+std::vector<report::ColumnHead> columns() {
+    std::vector<report::ColumnHead> all{{"method"}, {"particles"}, {"quantity"}, {"x"}, {"y"}};
+    if (dim == 3) all.push_back({"z"});
+    all.push_back({"value", {1e-6, 0}});
+    return all;
+}
+
+template <int dim>
+std::vector<Cell> row(const std::string& method, Index particles, const Quantity<dim>& quantity) {
+    std::vector<Cell> cells{method, static_cast<long>(particles), quantity.name};
+    for (int axis = 0; axis < dim; ++axis)
+        cells.push_back(quantity.place ? Cell((*quantity.place)[axis]) : Cell());
+    cells.emplace_back(quantity.value);
+    return cells;
+}
+
+/// Order, extrapolated value and uncertainty from the last three clouds; empty for what has no limit.
+template <int dim>
+std::vector<Cell> limit(const std::vector<Found<dim>>& clouds, std::size_t quantity, double formal) {
+    const auto value = [&](std::size_t before_last) {
+        return clouds[clouds.size() - 1 - before_last].quantities[quantity].value;
+    };
+    if (!clouds.back().quantities[quantity].has_limit) return {Cell(), Cell(), Cell()};
+    const auto [order, extrapolated, uncertainty] =
+        bodies::extrapolated(value(2), value(1), value(0), ratio, formal);
+    const auto cell = [](double number) { return std::isfinite(number) ? Cell(number) : Cell(); };
+    return {cell(order), cell(extrapolated), cell(uncertainty)};
+}
+
+/// The sides of a body with their numbers of particles, and those on which nothing is given.
+template <int dim, int n>
+std::vector<std::string> about_sides(const Problem<dim, n>& problem, const Body<dim>& body) {
+    std::string sides, free;
+    for (const auto& side : body.sides) {
+        const std::string name = bodies::is_unnamed(side.name) ? "the rest of the boundary" : side.name;
+        sides += (sides.empty() ? "" : ", ") + name + " (" + std::to_string(side.places.size()) + ")";
+        const bool is_given = std::any_of(problem.given.begin(), problem.given.end(),
+                                          [&](const auto& one) { return one.side == side.name; });
+        if (!is_given) free += (free.empty() ? "" : ", ") + name;
+    }
+    return {"sides, with their particles: " + sides,
+            std::string(n == 1 ? "insulated" : "free of loads") +
+                ", since nothing is given there: " + (free.empty() ? "none" : free)};
+}
+
+template <int dim, int n>
+class BodyTable {
+  public:
+    explicit BodyTable(BodyOptions& options)
+        : options_(options),
+          places_(command_line::places<dim>(options)),
+          material_(n == 1 ? batra2008::elastostatics::Material{1, 0}
+                           : command_line::material(options.problem)) {}
+
+    /// Computes all methods on a cloud.
+    void add(const Body<dim>& body, bool finest, command_line::Progress& progress) {
+        command_line::require_inside(body, places_);
+        const auto problem = command_line::problem<dim, n>(options_.problem, body);
+        const auto all = command_line::discretisations(options_, body);
+        found_.resize(all.size());
+        particles_.push_back(body.x.cols());
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            methods_ = all;
+            found_[k].push_back(options_.modes > 0 ? modes(options_, problem, body, all[k])
+                                                   : solved(problem, body, all[k], finest));
+            progress.step();
+        }
+        if (!finest) return;
+        sides_ = about_sides(problem, body);
+        if (!options_.field.empty()) bodies::write_field(options_.field, body, fields_, comments(body));
+        comments_ = comments(body);
+    }
+
+    [[nodiscard]] report::Table table(const std::vector<std::string>& notes) const {
+        report::Table table{comments_, columns<dim>(), {}};
+        table.comments.insert(table.comments.end(), notes.begin(), notes.end());
+        const bool refined = options_.refine > 1;
+        if (refined)
+            for (const char* name : {"order", "extrapolated", "uncertainty"})
+                table.columns.push_back({name, {1e-4, 0}});
+        for (std::size_t k = 0; k < methods_.size(); ++k) {
+            const Found<dim>& last = found_[k].back();
+            table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
+            const double formal = methods_[k].method == bodies::Method::fpm ? 2 : methods_[k].degree;
+            for (std::size_t q = 0; q < last.quantities.size(); ++q) {
+                auto cells = row(bodies::name(methods_[k].method), particles_.back(), last.quantities[q]);
+                const auto more = refined ? limit(found_[k], q, formal) : std::vector<Cell>();
+                cells.insert(cells.end(), more.begin(), more.end());
+                table.rows.push_back(cells);
+            }
+        }
+        return table;
+    }
+
+  private:
+    /// What is asked of the solution by a method.
+    Found<dim> solved(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how,
+                      bool finest) {
+        const std::string method = bodies::name(how.method);
+        const auto solution = bodies::solve(problem, body, how);
+        command_line::SolvedBody<dim, n> all{problem, body, solution, material_};
+        all.at_particles = command_line::states(problem, solution, body.x);
+        Found<dim> found{command_line::quantities(all, places_), {}};
+        const double noise = bodies::noise(solution);
+        if (std::isfinite(noise)) found.quantities.push_back({"noise", {}, noise, false});
+        const auto balance = bodies::balance(problem, body, solution);
+        for (const auto& quantity : command_line::quantities<dim, n>(balance))
+            if (std::isfinite(quantity.value)) found.quantities.push_back(quantity);
+        if (!finest) return found;
+        if (const auto remark = command_line::remark(balance, method)) found.remarks.push_back(*remark);
+        if (noise > batra2008::example_problems::most_noise)
+            found.remarks.push_back(
+                method + ": the unknowns alternate between neighbours, and stresses may be wrong (noise " +
+                shown(noise, 3) + ", where " + shown(batra2008::example_problems::most_noise) +
+                " is the most)");
+        if (!options_.field.empty()) {
+            const std::string suffix = options_.methods.size() > 1 ? "_" + method : "";
+            for (auto& field : command_line::fields(all, suffix)) fields_.push_back(std::move(field));
+        }
+        if (!options_.figure.path.empty()) options_.figure.table = command_line::drawing(all);
+        return found;
+    }
+
+    [[nodiscard]] std::vector<std::string> comments(const Body<dim>& body) const {
+        std::vector<std::string> all = command_line::comments(options_, dim);
+        std::string particles;
+        for (const Index N : particles_) particles += (particles.empty() ? "" : ", ") + std::to_string(N);
+        all.push_back(particles + " particles, " + std::to_string(body.cells.size()) + " cells, from " +
+                      particles::shown_point(Point<dim>(body.x.rowwise().minCoeff())) + " to " +
+                      particles::shown_point(Point<dim>(body.x.rowwise().maxCoeff())));
+        all.insert(all.end(), sides_.begin(), sides_.end());
+        if (body.gap > 0)
+            all.push_back("gap between the straight pieces of the boundary and the shape: " +
+                          shown(body.gap, 3) + " at most");
+        if (options_.modes > 0)
+            all.push_back(
+                n == 1
+                    ? "eigenvalues of -div(k grad u) + c u = lambda u, all values and loads zero"
+                    : "eigenvalues of -div(stress) + c u = lambda u, all values and loads zero: a density rho makes the frequency sqrt(lambda/rho)/(2 pi)");
+        else if (n == 1)
+            all.push_back("q1, q2: the flux of heat -k grad u; loads and reactions are heat that enters");
+        else if (dim == 2)
+            all.push_back("loads and reactions are for each unit of thickness");
+        if (options_.refine > 1)
+            all.push_back(
+                "clouds of --size, size/sqrt(2), ...; from the last three: the observed order, the extrapolated value, and its uncertainty 1.25 |f3 - f2|/(r^p - 1), or three times the range for an order that cannot be");
+        return all;
+    }
+
+    BodyOptions& options_;
+    std::vector<Point<dim>> places_;
+    batra2008::elastostatics::Material material_;
+    std::vector<Discretisation> methods_;
+    std::vector<std::vector<Found<dim>>> found_;  // by method, then by cloud
+    std::vector<Index> particles_;
+    std::vector<std::string> sides_, comments_;
+    std::vector<bodies::NamedField> fields_;
+};
+
+template <int dim, int n>
+report::Table table_of(BodyOptions& options, meshes::Model first) {
+    BodyTable<dim, n> all(options);
+    const std::size_t methods = options.methods.empty() ? 1 : options.methods.size();
+    command_line::Progress progress(methods * static_cast<std::size_t>(options.refine));
+    std::vector<std::string> notes;
+    for (long cloud = 0; cloud < options.refine; ++cloud) {
+        meshes::Model here = cloud == 0 ? std::move(first) : model(options, cloud);
+        notes = here.notes;
+        all.add(std::get<Body<dim>>(here.body), cloud == options.refine - 1, progress);
+    }
+    return all.table(notes);
+}
+
+template <int dim>
+report::Table table_of(BodyOptions& options, meshes::Model first) {
+    command_line::check(options.problem, dim);
+    return command_line::is_scalar(options.problem) ? table_of<dim, 1>(options, std::move(first))
+                                                    : table_of<dim, dim>(options, std::move(first));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    command_line::CommandLine app(
+        "A body of your own, in the plane or in space: its displacements and stresses, or a scalar such as a temperature, by collocation (fpm, strong) or by local weak forms (weak1, weak2, hats).",
+        "body",
+        "Functions are made of numbers, x, y, z, pi, e, + - * / ^ ( ) and functions such as sin, sqrt, abs, min, max.\n"
+        "Example: body --mesh bracket.geo --size 2e-3 --young 210e9 --poisson 0.3 --fix wall --traction \"tip: 0, -1e6*(1-x)\" --at 0.02,0.01 --field bracket.vtu\n"
+        "Another: body --mesh heat_sink.geo --equation poisson --conductivity 200 --flux \"base: 1e4\" --convection \"fins: 50, 293\" --plot sink.svg");
+    BodyOptions options;
+    command_line::add_options(app, options);
+    return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
+        command_line::check(options);
+        meshes::Model first = model(options, 0);
+        return first.body.index() == 0 ? table_of<2>(options, std::move(first))
+                                       : table_of<3>(options, std::move(first));
+    });
+}
