@@ -29,7 +29,7 @@ struct Operation {
 template <class T>
 const auto& operations() {
     using A = const Jet<T>&;
-    static constexpr std::array<Operation<T>, 22> all{
+    static constexpr std::array<Operation<T>, 23> all{
         {{"the negative", 1, [](A a, A /*unused*/) { return -a; }},
          {"the sum", 2, [](A a, A b) { return a + b; }},
          {"the difference", 2, [](A a, A b) { return a - b; }},
@@ -48,6 +48,7 @@ const auto& operations() {
          {"exp", 1, [](A a, A /*unused*/) { return exp(a); }},
          {"log", 1, [](A a, A /*unused*/) { return log(a); }},
          {"sqrt", 1, [](A a, A /*unused*/) { return sqrt(a); }},
+         {"abs", 1, [](A a, A /*unused*/) { return max(a, -a); }},
          {"atan2", 2, [](A a, A b) { return atan2(a, b); }},
          {"hypot", 2, [](A a, A b) { return hypot(a, b); }},
          {"min", 2, [](A a, A b) { return min(a, b); }},

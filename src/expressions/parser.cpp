@@ -244,8 +244,6 @@ class Parser {
             return add({Step::Kind::variable, static_cast<std::size_t>(variable - variables_.begin())});
         if (word == "pi") return add_number(pi, start);
         if (word == "e") return add_number(e, start);
-        if (word == "abs")
-            fail("abs", start, ": it has no derivative where its argument is zero; take a smooth function");
         const std::size_t operation = operation_named(word);
         if (operation == operations<Interval>().size())
             fail("there is no " + quoted(word), start,
@@ -271,14 +269,16 @@ int bounded_orders(const Jet<Interval>& f) {
     return !is_bounded(f.value) ? 0 : !is_bounded(f.first) ? 1 : !is_bounded(f.second) ? 2 : 3;
 }
 
-/// The step at which a kink arises: min or max of two functions that may be equal.
+/// The step at which a kink arises: min or max of two functions that may be equal, or abs of one that may be
+/// zero.
 const Operation<Interval>* kink(const Program& program, const std::vector<Jet<Interval>>& results) {
     for (std::size_t k = 0; k < results.size(); ++k) {
         const auto& [kind, which, a, b] = program.steps[k];
         if (kind != Step::Kind::operation || bounded_orders(results[k]) != 1) continue;
         const auto& operation = operations<Interval>()[which];
-        if ((operation.name == "min" || operation.name == "max") && bounded_orders(results[a]) > 1 &&
-            bounded_orders(results[b]) > 1)
+        const bool of_two = operation.name == "min" || operation.name == "max";
+        if ((of_two || operation.name == "abs") && bounded_orders(results[a]) > 1 &&
+            (!of_two || bounded_orders(results[b]) > 1))
             return &operation;
     }
     return nullptr;
@@ -355,7 +355,8 @@ void check_bounded(const Program& program, const std::vector<std::string>& varia
         constexpr std::array what{"the function", "its first derivative", "its second derivative"};
         const auto* const kinked = kink(program, results);
         message = kinked != nullptr
-                      ? std::string(kinked->name) + " has a kink where its arguments meet,"
+                      ? std::string(kinked->name) + " has a kink where its " +
+                            (kinked->arguments == 1 ? "argument is zero," : "arguments meet,")
                       : std::string(what.at(static_cast<std::size_t>(orders))) + " is not real and bounded";
         message += " near " + place(piece, variables) + "; take one that is smooth on " +
                    (variables.size() == 1   ? "[0, 1]"

@@ -64,7 +64,7 @@ class Evaluator {
 /// alone: they are evaluated on subintervals, which are halved until the results are bounded (Interval).
 ///
 /// A function that is not bounded on a subinterval of length 2⁻⁴⁰ is refused. So are functions that only
-/// look singular, such as sin(x)/x at 0, and kinks: min and max where their arguments meet.
+/// look singular, such as sin(x)/x at 0, and kinks: min and max where their arguments meet, abs at zero.
 /// \tparam Scalar double, long double or base::Quad
 /// \param option what the text belongs to, for messages
 /// \throws base::InvalidInput, in one line, as parsed() does, or naming the place where the function or a

@@ -205,7 +205,6 @@ TEST_CASE("expression: what cannot be read is refused at its character") {
         {"min(x,", "a number, x, a function or '(' expected at character 7"},
         {"x,1", "an operator or the end expected at character 2"},
         {"x\n+1", "'x?+1' : an operator or the end expected at character 2"},
-        {"abs(x)", "abs at character 1: it has no derivative where its argument is zero"},
         {"x+1/0", "the quotient has no finite value at character 4"},
         {"1/(2-2)", "the quotient has no finite value at character 2"},
         {"0^0", "the power has no finite value at character 2"},
@@ -426,11 +425,13 @@ TEST_CASE("expression: a function is smooth on the unit square or cube, or the p
 }
 
 TEST_CASE(
-    "expression: min and max are taken where one argument is the smaller all over, and refused at a kink") {
+    "expression: min, max and abs are taken where their arguments keep their order or sign, and refused at a kink") {
     CHECK(read("min(x,2)").f(0.5) == 0.5);
     CHECK(read("max(x,2)").f(0.5) == 2);
     CHECK(read("max(x,2)").Df(0.5) == 0);
     CHECK(read("min(x^2,1+x)").D2f(0.5) == 2);
+    CHECK(read("abs(x-2)").f(0.5) == 1.5);
+    CHECK(read("abs(-1-x^2)").D2f(0.5) == 2);
     const std::string meet = " has a kink where its arguments meet, near x = ";
     for (const auto& [text, reason] : std::vector<std::pair<std::string, std::string>>{
              {"min(x,0.3)", "min" + meet + "0.3;"},
@@ -441,6 +442,8 @@ TEST_CASE(
              {"max(x^2,0)", "max" + meet + "0;"},
              {"min(1,2-x)", "min" + meet + "1;"},
              {"min(sqrt(x),x)", "its first derivative is not real and bounded near x = 0;"},
+             {"abs(x-0.3)", "abs has a kink where its argument is zero, near x = 0.3;"},
+             {"abs(sqrt(x))", "its first derivative is not real and bounded near x = 0;"},
              {"max(1/x,1)", "the function is not real and bounded near x = 0;"},
              {"hypot(x-0.25,0)", "its first derivative is not real and bounded near x = 0.25;"}}) {
         const std::string tried = text, found = refusal(text),
@@ -458,5 +461,5 @@ TEST_CASE(
 TEST_CASE("expression: --help names every function") {
     const std::string words = vocabulary();
     CHECK(words.starts_with("numbers, x, pi, e, + - * / ^ ( ), sin, cos, tan, "));
-    CHECK(words.ends_with(", sqrt, atan2, hypot, min, max"));
+    CHECK(words.ends_with(", sqrt, abs, atan2, hypot, min, max"));
 }
