@@ -128,14 +128,26 @@ template <int dim>
 Weights<dim> Approximation<dim>::at(const Point<dim>& x, Derivatives which) const {
     const Index I = cloud_.nearest(x);
     if (how_.method == Method::fpm) return moved(at_particle(I), Point<dim>(x - cloud_.x().col(I)));
+    return at(x, h_[I], cloud_.within(x, how_.scaling * h_[I]), which);
+}
+
+template <int dim>
+Weights<dim> Approximation<dim>::at(const Point<dim>& x, double h, const std::vector<int>& among,
+                                    Derivatives which) const {
     const bool differentiated = how_.method == Method::weak2;
     return with_degree(how_.degree, [&](auto m) {
         return of_basis<dim, m>(
-            ssph_basis::basis_at<m>(
-                cloud_, Kernel<dim>(how_.scaling), x, h_[I], cloud_.within(x, how_.scaling * h_[I]),
-                differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none, h_),
+            ssph_basis::basis_at<m>(cloud_, Kernel<dim>(how_.scaling), x, h, among,
+                                    differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none,
+                                    h_),
             differentiated, which);
     });
+}
+
+template <int dim>
+Index Approximation<dim>::least_neighbours() const {
+    return how_.method != Method::fpm && how_.degree == 3 ? particles::terms<dim, 3>
+                                                          : particles::terms<dim, 2>;
 }
 
 template <int dim>

@@ -74,6 +74,14 @@ class Approximation {
     /// The same from few neighbours, for a preconditioner.
     [[nodiscard]] Weights<dim> at_particle_from_nearest(Index I, Index enough) const;
 
+    /// The same at a place of which the smoothing length and the particles to choose from are known: an SSPH
+    /// basis. \param among in increasing order
+    [[nodiscard]] Weights<dim> at(const Point<dim>& x, double h, const std::vector<int>& among,
+                                  Derivatives which = Derivatives::first) const;
+
+    /// The fewest neighbours that determine the derivatives of at_particle_from_nearest().
+    [[nodiscard]] Index least_neighbours() const;
+
     /// The neighbours of a particle that may enter its weights, in increasing order.
     [[nodiscard]] std::vector<int> neighbours(Index I) const;
 

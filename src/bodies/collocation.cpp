@@ -1,8 +1,7 @@
 #include "bodies/collocation.hpp"
 
 #include <array>
-#include <cmath>
-#include <utility>
+#include <functional>
 
 #include "base/parallel.hpp"
 
@@ -10,8 +9,9 @@ namespace bodies {
 
 namespace {
 
+/// The two coordinates of each second derivative.
 template <int dim>
-constexpr std::array<std::array<int, 2>, second_derivatives<dim>> axes() {
+constexpr std::array<std::array<int, 2>, second_derivatives<dim>> axes_of_second() {
     std::array<std::array<int, 2>, second_derivatives<dim>> pairs{};
     constexpr auto all = particles::monomials<dim, 2>();
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -23,126 +23,84 @@ constexpr std::array<std::array<int, 2>, second_derivatives<dim>> axes() {
     return pairs;
 }
 
-/// A row of the system: a column of weights for each component.
-template <int n>
-using Row = Eigen::Array<double, Eigen::Dynamic, n>;
-
-/// The balance of component i at a place.
+/// \f$\sum_a \partial_a F_{ia} - c\,u_i\f$ at a place.
 template <int dim, int n>
-Row<n> balance(const Equation<dim, n>& equation, const Point<dim>& x, const Weights<dim>& at, int i) {
-    static constexpr auto pairs = axes<dim>();
-    Row<n> row = Row<n>::Zero(at.value.size(), n);
+Factors<n> balance(const Equation<dim, n>& equation, const Point<dim>& x, const Weights<dim>& at, int i) {
+    static constexpr auto pairs = axes_of_second<dim>();
     const auto A = equation.A(x);
-    for (int j = 0; j < n; ++j) {
+    Factors<n> factors = -equation.c * value_along<n>(Values<n>::Unit(i), at.value);
+    for (int j = 0; j < n; ++j)
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             const auto [a, b] = pairs[k];
-            const double both = A(dim * i + a, dim * j + b) + (a == b ? 0 : A(dim * i + b, dim * j + a));
-            row.col(j) += both * at.second.col(static_cast<Index>(k));
+            const double A_ab = A(dim * i + a, dim * j + b), A_ba = A(dim * i + b, dim * j + a);
+            factors.col(j) += (a == b ? A_ab : A_ab + A_ba) * at.second.col(static_cast<Index>(k));
         }
-        if (equation.div_A) {
-            const auto div_A = equation.div_A(x);
-            for (int b = 0; b < dim; ++b) row.col(j) += div_A(i, dim * j + b) * at.first.col(b);
-        }
-    }
-    row.col(i) -= equation.c * at.value;
-    return row;
+    if (!equation.div_A) return factors;
+    const auto div_A = equation.div_A(x);
+    for (int j = 0; j < n; ++j)
+        for (int b = 0; b < dim; ++b) factors.col(j) += div_A(i, dim * j + b) * at.first.col(b);
+    return factors;
 }
 
-/// The load along a direction on a plane.
+/// Equation i of a particle.
 template <int dim, int n>
-Row<n> load(const Equation<dim, n>& equation, const Point<dim>& x, const Weights<dim>& at,
-            const Condition<dim, n>& condition) {
-    Row<n> row = Row<n>::Zero(at.value.size(), n);
-    const auto A = equation.A(x);
-    for (int j = 0; j < n; ++j) {
-        for (int b = 0; b < dim; ++b) {
-            double factor = 0;
-            for (int i = 0; i < n; ++i)
-                for (int a = 0; a < dim; ++a)
-                    factor += condition.direction[i] * condition.normal[a] * A(dim * i + a, dim * j + b);
-            row.col(j) += factor * at.first.col(b);
-        }
-        row.col(j) += condition.exchange * condition.direction[j] * at.value;
-    }
-    return row;
-}
-
-template <int n>
-void set_row(solvers::SparseRows& A, Index row, const std::vector<int>& particle, const Row<n>& factors) {
-    if constexpr (n == 1) solvers::set_row(A, row, particle, factors.col(0));
-    if constexpr (n == 2) solvers::set_row(A, row, particle, factors.col(0), factors.col(1));
-    if constexpr (n == 3) solvers::set_row(A, row, particle, factors.col(0), factors.col(1), factors.col(2));
+Row<n> equation_at(const Equation<dim, n>& equation, const std::vector<Condition<dim, n>>& here,
+                   const Point<dim>& x, const Weights<dim>& at, int i) {
+    if (here.empty()) return {balance(equation, x, at, i), -source(equation, x)[i]};
+    const Condition<dim, n>& one = here[static_cast<std::size_t>(i)];
+    return {one.of_value ? value_along<n>(one.direction, at.value) : load(equation, x, at, one), one.given};
 }
 
 }  // namespace
 
 template <int dim, int n>
-System collocated(const Problem<dim, n>& problem, const Body<dim>& body,
-                  const Approximation<dim>& approximation, double) {
-    const auto all = conditions(problem, body);
-    const auto& equation = problem.equation;
-    const Index M = approximation.cloud().size(), N = body.x.cols();
-    std::vector<Index> owner(static_cast<std::size_t>(M));
-    {
-        Index g = N;
-        for (Index I = 0; I < N; ++I) {
-            owner[I] = I;
-            if (M > N && !all[I].empty()) owner[g++] = I;
-        }
-    }
-    std::vector<std::vector<int>> near(static_cast<std::size_t>(M)), few(near);
-    base::for_each_index(M, [&](Index I) { near[I] = approximation.neighbours(owner[I]); });
-    System system{solvers::rows_in_blocks(near, n), Eigen::VectorXd(n * M)};
-    const auto rows = [&](Index R, const Weights<dim>& at) {
-        const Index I = owner[R];
-        const Point<dim> x = body.x.col(I);
-        const Values<n> b = equation.b ? equation.b(x) : Values<n>(Values<n>::Zero());
-        std::vector<std::pair<Row<n>, double>> found;
-        const auto& here = all[static_cast<std::size_t>(I)];
-        for (int i = 0; i < n; ++i) {
-            if (here.empty() || (M > N && R == I)) {
-                found.push_back({balance(equation, x, at, i), -b[i]});
-                continue;
-            }
-            const Condition<dim, n>& one = here[static_cast<std::size_t>(i)];
-            if (one.of_value) {
-                Row<n> row(at.value.size(), n);
-                for (int j = 0; j < n; ++j) row.col(j) = one.direction[j] * at.value;
-                found.push_back({row, one.given});
-                continue;
-            }
-            found.push_back({load(equation, x, at, one), one.given});
-        }
-        return found;
+System collocated(const Problem<dim, n>& problem,
+                  const std::vector<std::vector<Condition<dim, n>>>& conditions,
+                  const Approximation<dim>& approximation, Wanted wanted) {
+    const Cloud<dim>& cloud = approximation.cloud();
+    const Index N = cloud.size();
+    const auto each = [&](const auto& work) {
+        base::for_each_index(N, [&](Index I) { work(I, static_cast<std::size_t>(I)); });
     };
-    base::for_each_index(M, [&](Index R) {
-        const Weights<dim> at = approximation.at_particle(owner[R]);
-        const auto found = rows(R, at);
+    const auto write = [&](solvers::SparseRows& A, Eigen::VectorXd& b, Index I, const Weights<dim>& at) {
         for (int i = 0; i < n; ++i) {
-            set_row<n>(system.A, n * R + i, at.particle, found[static_cast<std::size_t>(i)].first);
-            system.b[n * R + i] = found[static_cast<std::size_t>(i)].second;
+            const Row<n> row = equation_at(problem.equation, conditions[static_cast<std::size_t>(I)],
+                                           Point<dim>(cloud.x().col(I)), at, i);
+            set_row<n>(A, n * I + i, at.particle, row.factors);
+            b[n * I + i] = row.given;
         }
-    });
-    if (n * M <= solvers::small_system) return system;
-    const Index enough = solvers::enough_neighbours(n * M, particles::terms<dim, 2>);
-    std::vector<Weights<dim>> nearest(static_cast<std::size_t>(M));
-    base::for_each_index(M, [&](Index R) {
-        nearest[R] = approximation.at_particle_from_nearest(owner[R], enough);
-        few[R] = nearest[R].particle;
-    });
-    system.nearest = solvers::rows_in_blocks(few, n);
-    base::for_each_index(M, [&](Index R) {
-        const auto& at = nearest[R];
-        const auto found = rows(R, at);
+    };
+    std::vector<std::vector<int>> near(static_cast<std::size_t>(N));
+    each([&](Index I, std::size_t k) { near[k] = approximation.neighbours(I); });
+    System system = empty_system<n>(near, wanted);
+    each([&](Index I, std::size_t k) {
+        const Weights<dim> at = approximation.at_particle(I);
+        write(system.A, system.b, I, at);
+        if (wanted == Wanted::solution || !conditions[k].empty()) return;
         for (int i = 0; i < n; ++i)
-            set_row<n>(system.nearest, n * R + i, at.particle, found[static_cast<std::size_t>(i)].first);
+            set_row<n>(system.M, n * I + i, at.particle, -value_along<n>(Values<n>::Unit(i), at.value));
     });
+    if (n * N <= solvers::small_system) return system;
+
+    const Index enough = solvers::enough_neighbours(n * N, approximation.least_neighbours());
+    std::vector<Weights<dim>> few(near.size());
+    each([&](Index I, std::size_t k) {
+        few[k] = approximation.at_particle_from_nearest(I, enough);
+        near[k] = few[k].particle;
+    });
+    system.nearest = solvers::rows_in_blocks(near, n);
+    Eigen::VectorXd same = system.b;
+    each([&](Index I, std::size_t k) { write(system.nearest, same, I, few[k]); });
     return system;
 }
 
-template System collocated(const Problem<2, 1>&, const Body<2>&, const Approximation<2>&, double);
-template System collocated(const Problem<3, 1>&, const Body<3>&, const Approximation<3>&, double);
-template System collocated(const Problem<2, 2>&, const Body<2>&, const Approximation<2>&, double);
-template System collocated(const Problem<3, 3>&, const Body<3>&, const Approximation<3>&, double);
+template System collocated(const Problem<2, 1>&, const std::vector<std::vector<Condition<2, 1>>>&,
+                           const Approximation<2>&, Wanted);
+template System collocated(const Problem<3, 1>&, const std::vector<std::vector<Condition<3, 1>>>&,
+                           const Approximation<3>&, Wanted);
+template System collocated(const Problem<2, 2>&, const std::vector<std::vector<Condition<2, 2>>>&,
+                           const Approximation<2>&, Wanted);
+template System collocated(const Problem<3, 3>&, const std::vector<std::vector<Condition<3, 3>>>&,
+                           const Approximation<3>&, Wanted);
 
 }  // namespace bodies

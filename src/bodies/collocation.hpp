@@ -1,22 +1,16 @@
 #pragma once
 
-#include "bodies/approximation.hpp"
-#include "bodies/conditions.hpp"
-#include "solvers/sparse.hpp"
+#include "bodies/rows.hpp"
 
 namespace bodies {
 
-/// A linear system with n equations for each particle.
-struct System {
-    solvers::SparseRows A;
-    Eigen::VectorXd b;
-    solvers::SparseRows nearest{};  ///< the same equations on few neighbours; or no rows
-    Eigen::VectorXd mass{};
-};
-
-/// Collocation: the equation at the particles inside, the conditions at those on the boundary.
+/// Collocation, for `strong` and `fpm`: the equation at the particles inside, the conditions at those on the
+/// boundary. In the plane and with an SSPH basis these are the equations of Section 3.1 of Batra and Zhang,
+/// \eq{B3.12} to \eq{B3.14}.
+/// \param conditions of each particle, conditions()
 template <int dim, int n>
-System collocated(const Problem<dim, n>& problem, const Body<dim>& body,
-                  const Approximation<dim>& approximation, double fic = 0.5);
+System collocated(const Problem<dim, n>& problem,
+                  const std::vector<std::vector<Condition<dim, n>>>& conditions,
+                  const Approximation<dim>& approximation, Wanted wanted = Wanted::solution);
 
 }  // namespace bodies

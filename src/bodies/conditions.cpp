@@ -1,9 +1,10 @@
 #include "bodies/conditions.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,7 @@ struct Here {
     const Given<dim, n>* given;  ///< null for a free side
     const std::string* side;
     Point<dim> normal;
+    int from;  ///< place in Problem::given
 };
 
 /// The order in which sides are asked for a load.
@@ -71,12 +73,14 @@ double finite(double value, const char* what, const Here<dim, n>& here, const Po
 template <int dim, int n>
 Condition<dim, n> value_along(const Here<dim, n>& here, const Point<dim>& x, int component) {
     const auto& value = here.given->value[static_cast<std::size_t>(component)];
-    return {true, Values<n>::Unit(component), here.normal, finite(value(x), "the given value", here, x)};
+    return {true,        Values<n>::Unit(component),
+            here.normal, finite(value(x), "the given value", here, x),
+            0,           here.from};
 }
 
 template <int dim, int n>
 Condition<dim, n> load_along(const Here<dim, n>& here, const Point<dim>& x, const Values<n>& d) {
-    Condition<dim, n> condition{false, d, here.normal};
+    Condition<dim, n> condition{false, d, here.normal, 0, 0, here.from};
     if (here.given == nullptr) return condition;
     for (const Load<dim, n>& load : here.given->loads)
         condition.given += finite(load(x, here.normal).dot(d), "the load", here, x);
@@ -114,7 +118,7 @@ std::vector<Condition<dim, n>> by_rule(const std::vector<Here<dim, n>>& all, con
                 found.push_back(value_along(here, x, i));
         if constexpr (n == dim)
             if (here.given->symmetry && spans_more<n>(span, here.normal))
-                found.push_back({true, here.normal, here.normal});
+                found.push_back({true, here.normal, here.normal, 0, 0, here.from});
     }
     for (const Values<n>& d : complement<n>(span)) {
         const Here<dim, n>* best = nullptr;
@@ -188,7 +192,9 @@ std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& pr
         const std::size_t k = place == order.end() ? problem.given.size() : place->second;
         for (const auto& [particle, normal] : side.places)
             met[static_cast<std::size_t>(particle)].push_back(
-                {k, {place == order.end() ? nullptr : &problem.given[k], &side.name, normal}});
+                {k,
+                 {place == order.end() ? nullptr : &problem.given[k], &side.name, normal,
+                  place == order.end() ? -1 : static_cast<int>(k)}});
     }
     std::vector<std::vector<Condition<dim, n>>> all(met.size());
     for (std::size_t I = 0; I < met.size(); ++I) {
@@ -208,6 +214,99 @@ std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& pr
     }
     return all;
 }
+
+namespace {
+
+/// The particles of each connected part of a body; a body without cells counts as one.
+template <int dim>
+std::vector<std::vector<int>> parts(const Body<dim>& body) {
+    std::vector<int> root(static_cast<std::size_t>(body.x.cols()));
+    std::iota(root.begin(), root.end(), 0);
+    if (body.cells.empty()) return {root};
+    const auto top = [&root](int k) {
+        while (root[static_cast<std::size_t>(k)] != k) {
+            int& next = root[static_cast<std::size_t>(k)];
+            next = root[static_cast<std::size_t>(next)];
+            k = next;
+        }
+        return k;
+    };
+    for (const auto& cell : body.cells)
+        for (const int k : cell) {
+            const int a = top(k), b = top(cell[0]);
+            root[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        }
+    std::map<int, std::vector<int>> by_root;
+    for (int k = 0; k < static_cast<int>(root.size()); ++k) by_root[top(k)].push_back(k);
+    std::vector<std::vector<int>> all;
+    for (auto& [first, particles] : by_root) all.push_back(std::move(particles));
+    return all;
+}
+
+/// A motion without strain that conditions leave free, in words; empty if there is none.
+template <int dim>
+std::string free_motion(const Body<dim>& body, const std::vector<int>& part,
+                        const std::vector<std::vector<Condition<dim, dim>>>& conditions) {
+    constexpr int motions = dim * (dim + 1) / 2;
+    using Motions = Eigen::Matrix<double, motions, 1>;
+    Point<dim> centre = Point<dim>::Zero();
+    for (const int I : part) centre += body.x.col(I) / static_cast<double>(part.size());
+    double size = 0;
+    for (const int I : part) size = std::max(size, (body.x.col(I) - centre).norm());
+    Eigen::Matrix<double, motions, motions> gram = Eigen::Matrix<double, motions, motions>::Zero();
+    for (const int I : part)
+        for (const Condition<dim, dim>& one : conditions[static_cast<std::size_t>(I)]) {
+            if (!one.of_value) continue;
+            const Point<dim> s = (body.x.col(I) - centre) / size, d = one.direction;
+            Motions row;
+            row.template head<dim>() = d;
+            int k = dim;
+            for (int a = 0; a < dim; ++a)
+                for (int b = a + 1; b < dim; ++b) row[k++] = d[b] * s[a] - d[a] * s[b];
+            gram += row * row.transpose();
+        }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, motions, motions>> solver(gram);
+    if (solver.eigenvalues()[0] > 1e-10 * static_cast<double>(motions)) return "";
+    const Motions motion = solver.eigenvectors().col(0);
+    Index axis = 0;
+    const double shift = motion.template head<dim>().cwiseAbs().maxCoeff(&axis);
+    return shift > 0.9 ? "move along x" + std::to_string(axis + 1) : "turn as a whole";
+}
+
+}  // namespace
+
+template <int dim, int n>
+void require_held(const Problem<dim, n>& problem, const Body<dim>& body,
+                  const std::vector<std::vector<Condition<dim, n>>>& conditions) {
+    if (problem.equation.c != 0) return;
+    for (const std::vector<int>& part : parts(body)) {
+        const std::string where =
+            "the part of the body at " + particles::shown_point(body.x.col(part.front())) + " ";
+        if constexpr (n == 1) {
+            const auto known = [&](int I) {
+                return std::any_of(conditions[static_cast<std::size_t>(I)].begin(),
+                                   conditions[static_cast<std::size_t>(I)].end(),
+                                   [](const auto& one) { return one.of_value || one.exchange != 0; });
+            };
+            if (std::none_of(part.begin(), part.end(), known))
+                throw base::InvalidInput(
+                    where +
+                    "has no given value, no convection and no reaction: its solution is known up to a constant; give a value on a side");
+        } else if (const std::string motion = free_motion<dim>(body, part, conditions); !motion.empty()) {
+            throw base::InvalidInput(where + "is not held: it can " + motion +
+                                     "; fix a side, or add a plane of symmetry");
+        }
+    }
+}
+
+template void require_held(const Problem<2, 1>&, const Body<2>&,
+                           const std::vector<std::vector<Condition<2, 1>>>&);
+template void require_held(const Problem<3, 1>&, const Body<3>&,
+                           const std::vector<std::vector<Condition<3, 1>>>&);
+template void require_held(const Problem<2, 2>&, const Body<2>&,
+                           const std::vector<std::vector<Condition<2, 2>>>&);
+template void require_held(const Problem<3, 3>&, const Body<3>&,
+                           const std::vector<std::vector<Condition<3, 3>>>&);
 
 template std::vector<std::vector<Condition<2, 1>>> conditions(const Problem<2, 1>&, const Body<2>&);
 template std::vector<std::vector<Condition<3, 1>>> conditions(const Problem<3, 1>&, const Body<3>&);

@@ -15,6 +15,7 @@ struct Condition {
     Point<dim> normal;
     double given = 0;     ///< g
     double exchange = 0;  ///< a
+    int from = -1;        ///< place of the side in Problem::given; none for a free side
 };
 
 /// The conditions of each particle: n on the boundary, none inside.

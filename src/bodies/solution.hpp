@@ -17,8 +17,6 @@ struct Solution {
     Eigen::VectorXd u;   ///< n unknowns of each particle, neighbours of one another
     double quality = 0;  ///< R of the worst row, particles::quality()
     Index worst = 0;     ///< its particle
-    /// The reaction at each particle and component where a value is given, by a weak form; empty otherwise.
-    Eigen::VectorXd reactions{};
 };
 
 /// \throws base::InvalidInput for a problem without meaning and for a method that does not work on this body
@@ -52,7 +50,9 @@ struct Balance {
     double defect;     ///< what is left of the sum, over the sum of the sizes of the terms
 };
 
-/// The loads and the integrals of the solution's own load \f$F n\f$ over the sides with given values.
+/// The loads and the reactions. Those of `hats` are what the equations of the particles leave, in equilibrium
+/// with the loads to the last bit; those of the other methods are integrals of the solution's own load
+/// \f$F n\f$ over the sides with given values, and their defect tells whether the stresses can be trusted.
 template <int dim, int n>
 Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
 

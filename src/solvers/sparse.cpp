@@ -153,4 +153,28 @@ Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest
     return x;
 }
 
+struct SparseFactors::Factorised {
+    Factorised(const SparseRows& A, Eigen::VectorXd row_scale)
+        : scale(std::move(row_scale)), factors(A, {}) {}
+
+    Eigen::VectorXd scale;
+    Factors factors;
+};
+
+SparseFactors::SparseFactors(SparseRows A) {
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(A.rows());
+    SparseRows none;
+    scale_rows(A, scale, none);
+    factorised_ = std::make_unique<Factorised>(A, std::move(scale));
+    if (const std::string& fault = factorised_->factors.fault(); !fault.empty())
+        throw base::FailedComputation("the linear system of " + std::to_string(A.rows()) + " unknowns " +
+                                      fault + "; take another smoothing length or other particles");
+}
+SparseFactors::~SparseFactors() = default;
+
+Eigen::VectorXd SparseFactors::solve(Eigen::VectorXd b) const {
+    b.array() *= factorised_->scale.array();
+    return factorised_->factors.solve(b);
+}
+
 }  // namespace solvers

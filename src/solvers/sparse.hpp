@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <memory>
 #include <optional>
 
 #include "base/vector_width.hpp"
@@ -46,5 +47,20 @@ inline Eigen::Index enough_neighbours(Eigen::Index unknowns, Eigen::Index least)
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
 /// \throws base::FailedComputation where A is singular to working precision or the residual stays large
 Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest = {});
+
+/// The factors of a matrix, for many right-hand sides. Each row is scaled as by scale_rows().
+class SparseFactors {
+  public:
+    /// \throws base::FailedComputation where A is singular to working precision
+    explicit SparseFactors(SparseRows A);
+    ~SparseFactors();
+
+    /// \return x of \f$A x = b\f$
+    [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd b) const;
+
+  private:
+    struct Factorised;
+    std::unique_ptr<Factorised> factorised_;
+};
 
 }  // namespace solvers
