@@ -126,8 +126,9 @@ class Outline {
     };
 
     [[nodiscard]] std::size_t column(const std::string& name) const {
-        if (const auto place = file_.place_named(name)) return *place;
-        file_.refuse(" has no column '" + name + "'; it needs the header name,order,x,y");
+        const auto place = file_.place_named(name);
+        if (!place) file_.refuse(" has no column '" + name + "'; it needs the header name,order,x,y");
+        return *place;
     }
 
     Polyline& side_named(const std::string& name) {
