@@ -59,17 +59,19 @@ class Astray {
     /// boundary has no particle of its own there, that particle is meant to be on it.
     static constexpr double beside = 0.25;
 
-    /// Of each run of parts that comes within a distance of a place, the nearest part; the nearest run first.
+    /// Of each run of parts that comes within a distance of a place, the nearest part.
     [[nodiscard]] std::vector<std::size_t> nearest_of_runs(const Point<2>& x, double reach) const {
-        std::vector<std::size_t> parts = boundary_.near(x, reach);
         const auto away = [&](std::size_t k) { return (closest(boundary_.curves()[k], x) - x).norm(); };
-        std::stable_sort(parts.begin(), parts.end(),
-                         [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
         std::vector<std::size_t> found;
-        for (const std::size_t k : parts)
-            if (std::none_of(found.begin(), found.end(),
-                             [&](std::size_t other) { return boundary_.run(other) == boundary_.run(k); }))
+        for (const std::size_t k : boundary_.near(x, reach)) {
+            const auto same = std::find_if(found.begin(), found.end(), [&](std::size_t other) {
+                return boundary_.run(other) == boundary_.run(k);
+            });
+            if (same == found.end())
                 found.push_back(k);
+            else if (away(k) < away(*same))
+                *same = k;
+        }
         return found;
     }
 
