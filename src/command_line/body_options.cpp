@@ -1,6 +1,7 @@
 #include "command_line/body_options.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "bodies/field_file.hpp"
+#include "command_line/body_quantities.hpp"
 #include "command_line/lists.hpp"
 #include "command_line/options.hpp"
 #include "command_line/positions.hpp"
@@ -42,7 +44,7 @@ void add_options(CommandLine& app, BodyOptions& options) {
     add_options(app, options.problem);
     app.add_list(
         "--method", options.methods,
-        "methods: all, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
+        "methods: all that apply, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
     app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2)")
         .type_name("2|3")
         .within(2, 3);
@@ -170,14 +172,27 @@ void check(const BodyOptions& options) {
     check_apart(files);
 }
 
+namespace {
+
+/// The methods by their names. "all" are those that work in this dimension, and without cells.
+std::vector<std::string> method_names(const BodyOptions& options, int dim, bool has_cells) {
+    if (options.methods.empty()) return {has_cells ? "hats" : dim == 2 ? "weak1" : "fpm"};
+    if (options.methods != std::vector<std::string>{"all"}) return options.methods;
+    std::vector<std::string> all{"fpm", "strong"};
+    if (dim == 2) all.insert(all.end(), {"weak1", "weak2"});
+    if (has_cells) all.emplace_back("hats");
+    return all;
+}
+
+}  // namespace
+
 template <int dim>
 std::vector<Discretisation> discretisations(const BodyOptions& options, const Body<dim>& body) {
-    std::vector<std::string> methods = method_names(options);
-    if (methods.empty()) methods = {body.cells.empty() ? "weak1" : "hats"};
+    const std::vector<std::string> methods = method_names(options, dim, !body.cells.empty());
     const particles::Spacing spacing = spacing_from(options.smoothing_from);
     check_lengths(spacing, options.smoothing_from, body.x.cols());
-    const double size = (body.x.rowwise().maxCoeff() - body.x.rowwise().minCoeff()).maxCoeff();
-    const double penalty = options.penalty * 1e5 * largest_coefficient<dim>(options.problem, body) / size;
+    const double penalty =
+        options.penalty * 1e5 * largest_coefficient<dim>(options.problem, body) / size_of(body);
     std::vector<Discretisation> all;
     for (const std::string& method : methods) {
         Discretisation how;
@@ -279,6 +294,8 @@ std::vector<std::string> comments(const BodyOptions& options, int dim) {
     for (const auto* list : {&problem.conditions, &problem.corners})
         for (const auto& [option, text] : *list)
             conditions += (conditions.empty() ? "" : "; ") + option + " " + text;
+    for (char& letter : conditions)
+        if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
     return {body + "; lengths, forces and stresses in the user's units", equation,
             "conditions: " + (conditions.empty() ? "none" : conditions)};
 }

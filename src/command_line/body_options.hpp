@@ -31,7 +31,7 @@ struct BodyOptions {
 /// Adds the options to a command line.
 void add_options(CommandLine& app, BodyOptions& options);
 
-/// \throws base::InvalidInput for options that need, exclude or overwrite one another, and for numbers without
+/// \throws base::InvalidInput for options that need, exclude or overwrite one another, and numbers without
 ///         meaning
 void check(const BodyOptions& options);
 

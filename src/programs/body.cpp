@@ -30,6 +30,9 @@ using report::Cell;
 /// A cloud of `--refine` and the next one have particles at distances of this ratio.
 constexpr double ratio = std::numbers::sqrt2;
 
+/// The quality number that no grid has, not even one with three particles on a side.
+constexpr double bad = 150;
+
 /// The body that the options name. \param cloud how many clouds of `--refine` are coarser
 meshes::Model model(const BodyOptions& options, long cloud) {
     if (!options.mesh.empty()) {
@@ -124,13 +127,12 @@ class BodyTable {
     void add(const Body<dim>& body, bool finest, command_line::Progress& progress) {
         command_line::require_inside(body, places_);
         const auto problem = command_line::problem<dim, n>(options_.problem, body);
-        const auto all = command_line::discretisations(options_, body);
-        found_.resize(all.size());
+        methods_ = command_line::discretisations(options_, body);
+        found_.resize(methods_.size());
         particles_.push_back(body.x.cols());
-        for (std::size_t k = 0; k < all.size(); ++k) {
-            methods_ = all;
-            found_[k].push_back(options_.modes > 0 ? modes(options_, problem, body, all[k])
-                                                   : solved(problem, body, all[k], finest));
+        for (std::size_t k = 0; k < methods_.size(); ++k) {
+            found_[k].push_back(options_.modes > 0 ? modes(options_, problem, body, methods_[k])
+                                                   : solved(problem, body, methods_[k], finest));
             progress.step();
         }
         if (!finest) return;
@@ -176,13 +178,19 @@ class BodyTable {
             if (std::isfinite(quantity.value)) found.quantities.push_back(quantity);
         if (!finest) return found;
         if (const auto remark = command_line::remark(balance, method)) found.remarks.push_back(*remark);
+        if (solution.quality > bad)
+            found.remarks.push_back(method + ": the neighbours of the particle at " +
+                                    particles::shown_point(Point<dim>(body.x.col(solution.worst))) +
+                                    " determine its derivatives badly (quality " +
+                                    shown(solution.quality, 3) + ", where " + shown(bad) +
+                                    " is the most); stresses near it may be wrong");
         if (noise > batra2008::example_problems::most_noise)
             found.remarks.push_back(
                 method + ": the unknowns alternate between neighbours, and stresses may be wrong (noise " +
                 shown(noise, 3) + ", where " + shown(batra2008::example_problems::most_noise) +
                 " is the most)");
         if (!options_.field.empty()) {
-            const std::string suffix = options_.methods.size() > 1 ? "_" + method : "";
+            const std::string suffix = methods_.size() > 1 ? "_" + method : "";
             for (auto& field : command_line::fields(all, suffix)) fields_.push_back(std::move(field));
         }
         if (!options_.figure.path.empty()) options_.figure.table = command_line::drawing(all);
@@ -228,8 +236,8 @@ class BodyTable {
 template <int dim, int n>
 report::Table table_of(BodyOptions& options, meshes::Model first) {
     BodyTable<dim, n> all(options);
-    const std::size_t methods = options.methods.empty() ? 1 : options.methods.size();
-    command_line::Progress progress(methods * static_cast<std::size_t>(options.refine));
+    const auto methods = command_line::discretisations(options, std::get<Body<dim>>(first.body));
+    command_line::Progress progress(methods.size() * static_cast<std::size_t>(options.refine));
     std::vector<std::string> notes;
     for (long cloud = 0; cloud < options.refine; ++cloud) {
         meshes::Model here = cloud == 0 ? std::move(first) : model(options, cloud);
