@@ -2,7 +2,7 @@
 .PHONY: body check-body
 body: $(bin)/body ## compile the program for a body of your own into build/bin
 
-check-body: $(bin)/check_body ## run the tests of what reads drawings and meshes
+check-body: $(bin)/check_body $(bin)/body ## run the tests of what reads drawings and meshes
 	@$(bin)/check_body
 
 mesh_objects := $(call objects_in,src/meshes/%)

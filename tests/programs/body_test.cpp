@@ -119,7 +119,7 @@ TEST_CASE(
     const Drawing drawing;
     const auto table = table_of(
         "body --mesh " + drawing.bar +
-        " --size 0.3 --refine 3 --equation poisson --source 'sin(pi*x/2)*sin(pi*y)' --value 'wall: 0' "
+        " --size 0.15 --refine 3 --equation poisson --source 'sin(pi*x/2)*sin(pi*y)' --value 'wall: 0' "
         "--value 'end: 0' --value 'top: 0' --value 'bottom: 0' --at 1,0.5");
     const double exact = 1 / (std::pow(std::acos(-1), 2) * 1.25);
     CHECK(std::abs(number(table, "hats", "u", "extrapolated") - exact) <=
@@ -131,7 +131,7 @@ TEST_CASE(
 TEST_CASE("body: the modes of a rectangular membrane") {
     const Drawing drawing;
     const auto table = table_of("body --mesh " + drawing.bar +
-                                " --size 0.12 --equation poisson --value 'wall: 0' --value 'end: 0' --value "
+                                " --size 0.05 --equation poisson --value 'wall: 0' --value 'end: 0' --value "
                                 "'top: 0' --value 'bottom: 0' --modes 2");
     REQUIRE(table.rows.size() == 2);
     const double pi2 = std::pow(std::acos(-1), 2);
