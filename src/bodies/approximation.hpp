@@ -28,7 +28,7 @@ Method method_named(std::string_view wanted);
 /// How a problem is solved.
 struct Discretisation {
     Method method = Method::fpm;
-    int degree = 2;          ///< m of the SSPH basis
+    int degree = 2;          ///< m of the SSPH basis; 3 leaves less noise, in space above all
     double scaling = 3;      ///< ρ of the SSPH basis, whose h is the spacing
     double smoothing = 1.2;  ///< h of FPM over the spacing
     particles::Spacing spacing = particles::Spacing::local;

@@ -116,8 +116,8 @@ std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::Vector
     Eigen::GMRES<SparseRows, Preconditioner> gmres;
     gmres.preconditioner().take(factors);
     gmres.compute(A);
-    gmres.set_restart(20);
-    gmres.setMaxIterations(60);
+    gmres.set_restart(100);
+    gmres.setMaxIterations(200);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     // A solution far larger than this means that A is singular and nearest is not.
     const double most = 1e6 * factors.solve(b).cwiseAbs().maxCoeff();
