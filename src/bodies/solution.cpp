@@ -178,11 +178,8 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
     Balance<n> all;
     all.volume = Values<n>::Zero();
     Values<n> sum = Values<n>::Zero();
-    double sizes = 0;
-    const auto count = [&](const Values<n>& term) {
-        sum += term;
-        sizes += term.norm();
-    };
+    double loads = 0, reactions = 0,
+           tractions = 0;  // sizes: the last as an integral, stresses of a moment and all
     const bool of_hats = solution.approximation.how().method == Method::hats;
     std::vector<Values<n>> consistent;
     if (of_hats) consistent = consistent_reactions(problem, body, solution);
@@ -205,22 +202,25 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
                 applied += given.exchange(at.x) * (Values<n>::Constant(given.surroundings(at.x)) - state.u);
             load += at.weight * (applied - valued * applied);
             reaction += at.weight * (valued * t);
+            loads += at.weight * (applied - valued * applied).norm();
+            tractions += at.weight * (valued * t).norm();
         }
         if (of_hats) reaction = consistent[k];
         const bool is_load = !given.loads.empty() || given.exchange;
         if (is_load) all.loads.emplace_back(given.side, load);
         if (reaction.norm() > 0) all.reactions.emplace_back(given.side, reaction);
-        count(load);
-        count(reaction);
+        sum += load + reaction;
+        reactions += reaction.norm();
     }
     if (problem.equation.b || problem.equation.c != 0)
         for (const auto& at : rule_in(body)) {
-            all.volume +=
-                at.weight * (problem.equation.b ? problem.equation.b(at.x) : Values<n>(Values<n>::Zero()));
-            if (problem.equation.c != 0)
-                all.volume -= at.weight * problem.equation.c * state_at(problem, solution, at.x).u;
+            Values<n> given = problem.equation.b ? problem.equation.b(at.x) : Values<n>(Values<n>::Zero());
+            if (problem.equation.c != 0) given -= problem.equation.c * state_at(problem, solution, at.x).u;
+            all.volume += at.weight * given;
+            loads += at.weight * given.norm();
         }
-    count(all.volume);
+    sum += all.volume;
+    const double sizes = loads + (n == dim && loads > 0 ? reactions : tractions);
     all.defect = sizes > 0 ? 2 * sum.norm() / sizes : 0;
     return all;
 }

@@ -47,7 +47,9 @@ struct Balance {
     std::vector<std::pair<std::string, Values<n>>> loads;      ///< given, by side
     std::vector<std::pair<std::string, Values<n>>> reactions;  ///< of given values, by side
     Values<n> volume;  ///< of the body force or the source, less the reaction c u
-    double defect;     ///< what is left of the sum, over the sum of the sizes of the terms
+    /// What is left of the sum, over half of the sizes: of the loads as an integral, and of the reactions. Those
+    /// of a scalar, and those of a body without loads, are integrals, too, since they may cancel on a side.
+    double defect;
 };
 
 /// The loads and the reactions. Those of `hats` are what the equations of the particles leave, in equilibrium
