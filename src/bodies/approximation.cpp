@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "base/choose.hpp"
+#include "base/errors.hpp"
 #include "batra2008/basis_at.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
+#include "particles/local_system.hpp"
 #include "particles/requirement.hpp"
 
 namespace bodies {
@@ -119,9 +121,16 @@ Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
     if (how_.method != Method::fpm) return at(x, which);
     std::vector<int> near = neighbours(I);
     const Kernel<dim> kernel(cut<dim>);
-    return of_differences<dim>(
-        second_order_fpm::derivatives<double, dim>(particles::neighbourhood(cloud_, kernel, x, h_[I], near)),
-        near, I, h_[I]);
+    try {
+        return of_differences<dim>(second_order_fpm::derivatives<double, dim>(
+                                       particles::neighbourhood(cloud_, kernel, x, h_[I], near)),
+                                   near, I, h_[I]);
+    } catch (const particles::SingularNeighbourhood& error) {
+        throw base::FailedComputation("fpm: at " + particles::shown_point(x) + " there are " +
+                                      std::to_string(near.size()) + " particles within " +
+                                      particles::shown(cut<dim> * h_[I]) + ", and " + error.what() +
+                                      "; take more particles, by a smaller --size, or other ones");
+    }
 }
 
 template <int dim>

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "base/errors.hpp"
 #include "bodies/mesh.hpp"
 #include "bodies/solution.hpp"
 
@@ -41,4 +42,18 @@ TEST_CASE("solution: reactions that cancel on the one side of a body have a defe
         CHECK(balance(heat, body, solve(heat, body, how)).defect < 1e-9);
         CHECK(balance(stretched, body, solve(stretched, body, how)).defect < 1e-9);
     }
+}
+
+TEST_CASE("solution: too few particles for fpm are refused with their place") {
+    const Body<2> body = square(1);
+    Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 1.0; })};
+    Given<2, 1> warm;
+    warm.side = "boundary";
+    warm.value = {[](const Point<2>&) { return 1.0; }};
+    heat.given.push_back(warm);
+    Discretisation how;
+    how.method = Method::fpm;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve(heat, body, how)),
+                         doctest::Contains("fpm: at (0, 0) there are 4 particles within "),
+                         base::FailedComputation);
 }
