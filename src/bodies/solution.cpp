@@ -180,6 +180,7 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
     Values<n> sum = Values<n>::Zero();
     double loads = 0, reactions = 0,
            tractions = 0;  // sizes: the last as an integral, stresses of a moment and all
+    double parts = 0;      // of differences, each as an integral: their sum at rest is round-off
     const bool of_hats = solution.approximation.how().method == Method::hats;
     std::vector<Values<n>> consistent;
     if (of_hats) consistent = consistent_reactions(problem, body, solution);
@@ -198,30 +199,37 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
                 if (given.symmetry) valued += at.normal * at.normal.transpose();
             Values<n> applied = Values<n>::Zero();
             for (const Load<dim, n>& one : given.loads) applied += one(at.x, at.normal);
-            if (given.exchange)
-                applied += given.exchange(at.x) * (Values<n>::Constant(given.surroundings(at.x)) - state.u);
+            if (given.exchange) {
+                const double a = given.exchange(at.x), u_0 = given.surroundings(at.x);
+                applied += a * (Values<n>::Constant(u_0) - state.u);
+                parts += at.weight * a * (std::abs(u_0) + state.u.stableNorm());
+            }
             load += at.weight * (applied - valued * applied);
             reaction += at.weight * (valued * t);
-            loads += at.weight * (applied - valued * applied).norm();
-            tractions += at.weight * (valued * t).norm();
+            loads += at.weight * Values<n>(applied - valued * applied).stableNorm();
+            tractions += at.weight * Values<n>(valued * t).stableNorm();
         }
         if (of_hats) reaction = consistent[k];
         const bool is_load = !given.loads.empty() || given.exchange;
         if (is_load) all.loads.emplace_back(given.side, load);
-        if (reaction.norm() > 0) all.reactions.emplace_back(given.side, reaction);
+        if (reaction.stableNorm() > 0) all.reactions.emplace_back(given.side, reaction);
         sum += load + reaction;
-        reactions += reaction.norm();
+        reactions += reaction.stableNorm();
     }
     if (problem.equation.b || problem.equation.c != 0)
         for (const auto& at : rule_in(body)) {
-            Values<n> given = problem.equation.b ? problem.equation.b(at.x) : Values<n>(Values<n>::Zero());
-            if (problem.equation.c != 0) given -= problem.equation.c * state_at(problem, solution, at.x).u;
-            all.volume += at.weight * given;
-            loads += at.weight * given.norm();
+            Values<n> b = Values<n>::Zero(), cu = b;
+            if (problem.equation.b) b = problem.equation.b(at.x);
+            if (problem.equation.c != 0) cu = problem.equation.c * state_at(problem, solution, at.x).u;
+            all.volume += at.weight * (b - cu);
+            loads += at.weight * Values<n>(b - cu).stableNorm();
+            parts += at.weight * (b.stableNorm() + cu.stableNorm());
         }
     sum += all.volume;
-    const double sizes = loads + (n == dim && loads > 0 ? reactions : tractions);
-    all.defect = sizes > 0 ? 2 * sum.norm() / sizes : 0;
+    constexpr double round_off = 1e-6;
+    const double sizes =
+        std::max(loads + (n == dim && loads > 0 ? reactions : tractions), round_off * (parts + tractions));
+    all.defect = sizes > 0 ? 2 * sum.stableNorm() / sizes : 0;
     return all;
 }
 
@@ -241,7 +249,11 @@ double noise(const Solution<dim, n>& solution) {
         unseen[I] = (solution.u.template segment<n>(n * I) - u).norm() / solution.approximation.h()[I];
         gradient[I] = slope.norm();
     });
-    const double size = std::sqrt(gradient.square().mean());
+    constexpr double round_off = 1e-9;  // a solution that hardly varies over the body has no noise
+    const Point<dim> extent = solution.approximation.cloud().x().rowwise().maxCoeff() -
+                              solution.approximation.cloud().x().rowwise().minCoeff();
+    const double size = std::max(std::sqrt(gradient.square().mean()),
+                                 round_off * solution.u.cwiseAbs().maxCoeff() / extent.maxCoeff());
     return size > 0 ? unseen.maxCoeff() / size : 0;
 }
 

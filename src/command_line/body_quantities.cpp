@@ -210,12 +210,14 @@ template <int n>
 std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method) {
     constexpr double small = 0.02, large = 0.1;
     if (balance.defect <= small) return {};
+    if (!std::isfinite(balance.defect))
+        throw FailedComputation(method + ": the forces exceed double precision; take other units");
     const std::string text = method + ": loads and reactions leave a defect of " +
                              shown(100 * balance.defect, 3) + " % of their sizes; loads " +
                              listed<n>(balance.loads) + ", reactions " + listed<n>(balance.reactions) +
                              ", volume " + particles::shown_point(balance.volume) + "; take " +
                              (method == "hats" ? "" : "--method hats or ") + "a smaller --size";
-    if (!(balance.defect <= large)) throw FailedComputation(text);
+    if (balance.defect > large) throw FailedComputation(text);
     return text;
 }
 

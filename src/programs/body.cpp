@@ -146,8 +146,9 @@ class BodyTable {
         table.comments.insert(table.comments.end(), notes.begin(), notes.end());
         const bool refined = options_.refine > 1;
         if (refined)
-            for (const char* name : {"order", "extrapolated", "uncertainty"})
-                table.columns.push_back({name, {1e-4, 0}});
+            table.columns.insert(
+                table.columns.end(),
+                {{"order", {1e-3, 0}}, {"extrapolated", {1e-6, 0}}, {"uncertainty", {1e-3, 0}}});
         for (std::size_t k = 0; k < methods_.size(); ++k) {
             const Found<dim>& last = found_[k].back();
             table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
@@ -185,10 +186,10 @@ class BodyTable {
                                     shown(solution.quality, 3) + ", where " + shown(bad) +
                                     " is the most); stresses near it may be wrong");
         if (noise > batra2008::example_problems::most_noise)
-            found.remarks.push_back(
-                method + ": the unknowns alternate between neighbours, and stresses may be wrong (noise " +
-                shown(noise, 3) + ", where " + shown(batra2008::example_problems::most_noise) +
-                " is the most)");
+            found.remarks.push_back(method + ": the unknowns alternate between neighbours, and " +
+                                    (n == 1 ? "fluxes" : "stresses") + " may be wrong (noise " +
+                                    shown(noise, 3) + ", where " +
+                                    shown(batra2008::example_problems::most_noise) + " is the most)");
         if (!options_.field.empty()) {
             const std::string suffix = methods_.size() > 1 ? "_" + method : "";
             for (auto& field : command_line::fields(all, suffix)) fields_.push_back(std::move(field));

@@ -114,6 +114,22 @@ TEST_CASE("body: heat through a bar that convection cools") {
     CHECK(has_comment(table, "insulated"));
 }
 
+TEST_CASE("body: loads without a sum, and no load at all, leave no defect and no noise") {
+    const Drawing drawing;
+    for (const std::string method : {"hats", "fpm"}) {
+        CAPTURE(method);
+        const auto rest =
+            table_of("body --mesh " + drawing.bar +
+                     " --size 0.25 --equation poisson --convection 'wall: 1, 293' --method " + method);
+        CHECK(number(rest, method, "max_u") == support::relative(293.0, 1e-9));
+        CHECK(number(rest, method, "defect") < 1e-6);
+        CHECK(number(rest, method, "noise") < 1e-3);
+    }
+    const auto pressed = table_of("body --mesh " + drawing.bar + " --size 0.25" + steel +
+                                  " --fix wall --pressure 'top: 1' --pressure 'bottom: 1' --method hats");
+    CHECK(number(pressed, "hats", "defect") < 1e-9);
+}
+
 TEST_CASE(
     "body: finer clouds have an order, an extrapolated value and an uncertainty that holds the exact one") {
     const Drawing drawing;
