@@ -38,8 +38,9 @@ void add_options(CommandLine& app, BodyOptions& options) {
     app.add_option("--boundary", options.boundary,
                    "with --points: a file of sides, name,order,x,y and, if known, the normals nx,ny")
         .type_name("FILE");
-    app.add_option("--snap", options.snap,
-                   "with --points: particles within this distance are moved onto the boundary (default 0)")
+    app.add_option(
+           "--snap", options.snap,
+           "with --points: particles within this distance are moved onto the boundary (default: none)")
         .type_name("D");
     add_options(app, options.problem);
     app.add_list(
@@ -103,11 +104,9 @@ void check_body(const BodyOptions& options) {
             "; give both");
     if (files && options.size)
         throw InvalidInput("--size belongs to a drawing, --mesh; leave it out beside --points");
-    if (!files && options.snap != 0)
-        throw InvalidInput("--snap belongs to --points; leave it out beside --mesh");
-    if (!(std::isfinite(options.snap) && options.snap >= 0))
-        throw InvalidInput("--snap must be finite and not negative, got " + shown(options.snap));
+    if (!files && options.snap) throw InvalidInput("--snap belongs to --points; leave it out beside --mesh");
     if (options.size) require_positive("--size", *options.size);
+    if (options.snap) require_positive("--snap", *options.snap);
     if (options.refine > 1 && files)
         throw InvalidInput("--refine needs a drawing, --mesh FILE.geo, whose clouds can be made finer");
     if (options.refine > 1 && !options.size)

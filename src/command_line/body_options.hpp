@@ -14,8 +14,7 @@ namespace command_line {
 /// The options of the program `body`.
 struct BodyOptions {
     std::string mesh, points, boundary;
-    std::optional<double> size;
-    double snap = 0;
+    std::optional<double> size, snap;
     TypedProblem problem;
     std::vector<std::string> methods;  ///< none: hats for a body with cells, else weak1
     long degree = 2, gauss = 10;

@@ -171,6 +171,27 @@ TEST_CASE("body: files of the field and a drawing, the same on any number of thr
     CHECK(report::read_whole(drawing.folder.path + "/a.svg").find("von Mises") != std::string::npos);
 }
 
+TEST_CASE("body: particles and sides from files, without cells") {
+    const programs::Folder folder;
+    std::string points = "x,y\n";
+    for (int k = 0; k < 45; ++k)
+        points += std::to_string(k % 9 * 0.25) + "," + std::to_string(k / 9 * 0.25) + "\n";
+    report::write_whole(folder.path + "/points.csv", points);
+    report::write_whole(folder.path + "/sides.csv",
+                        "name,order,x,y\nbottom,1,0,0\nbottom,2,2,0\nend,1,2,0\nend,2,2,1\n"
+                        "top,1,2,1\ntop,2,0,1\nwall,1,0,1\nwall,2,0,0\n");
+    const auto table = table_of(
+        "cd " + folder.path + "; body --points points.csv --boundary sides.csv" + steel +
+        " --symmetry wall --symmetry bottom --traction 'end: 4, 0' --at 1.4,0.7 --method all --field "
+        "f.csv");
+    for (const std::string method : {"fpm", "strong", "weak1", "weak2"})
+        CHECK(number(table, method, "u1") == support::relative(1.4 * 4 / 200, 1e-6));
+    CHECK(report::read_whole(folder.path + "/f.csv").find("von_mises_weak2") != std::string::npos);
+    programs::check_refused("body --points " + folder.path + "/points.csv --boundary " + folder.path +
+                                "/sides.csv" + steel + " --symmetry wall --symmetry bottom --at 2,1.01",
+                            2, "the nearest particle is (2, 1), 0.01 away");
+}
+
 TEST_CASE("body: bad invocations end with one line, exit code 2 and no output") {
     const Drawing drawing;
     const std::string elastic = "--mesh " + drawing.bar + " --size 0.5" + steel;
