@@ -46,7 +46,7 @@ void add_options(CommandLine& app, BodyOptions& options) {
     app.add_list(
         "--method", options.methods,
         "methods: all that apply, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
-    app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2)")
+    app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2; of hats 3)")
         .type_name("2|3")
         .within(2, 3);
     app.add_option("--scaling", options.scaling, "scaling factor rho of the kernel of SSPH (default 3)")
@@ -144,7 +144,7 @@ void check_effect(const BodyOptions& options) {
     const std::vector<std::string> weak{"weak1", "weak2", "hats"}, ssph{"strong", "weak1", "weak2", "hats"};
     refuse_without("--gauss", options.gauss != untouched.gauss, "the weak forms", weak);
     refuse_without("--penalty", options.penalty != untouched.penalty, "the weak forms", weak);
-    refuse_without("--degree", options.degree != untouched.degree, "methods with an SSPH basis", ssph);
+    refuse_without("--degree", options.degree.has_value(), "methods with an SSPH basis", ssph);
     refuse_without("--scaling", options.scaling != untouched.scaling, "methods with an SSPH basis", ssph);
     if (options.smoothing != untouched.smoothing &&
         std::find(methods.begin(), methods.end(), "fpm") == methods.end())
@@ -196,7 +196,7 @@ std::vector<Discretisation> discretisations(const BodyOptions& options, const Bo
     for (const std::string& method : methods) {
         Discretisation how;
         how.method = bodies::method_named(method);
-        how.degree = static_cast<int>(options.degree);
+        how.degree = static_cast<int>(options.degree.value_or(how.method == Method::hats ? 3 : 2));
         how.scaling = options.scaling;
         how.smoothing = options.smoothing;
         how.spacing = spacing;

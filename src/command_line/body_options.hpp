@@ -17,7 +17,8 @@ struct BodyOptions {
     std::optional<double> size, snap;
     TypedProblem problem;
     std::vector<std::string> methods;  ///< none: hats for a body with cells, else weak1
-    long degree = 2, gauss = 10;
+    std::optional<long> degree;
+    long gauss = 10;
     double scaling = 3, smoothing = 1.2, penalty = 1;
     std::string smoothing_from = "local";
     std::vector<Typed> places;  ///< --at and --along
