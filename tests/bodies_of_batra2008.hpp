@@ -44,13 +44,14 @@ inline batra2008::elastostatics::Material hole_material() {
     return {batra2008::hole::E, batra2008::hole::nu, batra2008::elastostatics::Plane::strain};
 }
 
-inline Body<2> hole_body() {
+/// \param N number of particles \param on_arc of these on the hole
+inline Body<2> hole_body(Index N, Index on_arc) {
     const batra2008::hole::Shape shape;
     const auto problem = batra2008::hole::problem(hole_material(), shape);
     const std::array<const char*, 5> names{"x1-axis", "right", "top", "x2-axis", "hole"};
     std::vector<std::pair<std::string, particles::Curve>> sides;
     for (std::size_t k = 0; k < names.size(); ++k) sides.emplace_back(names[k], problem.sides[k].curve);
-    return body_within(batra2008::hole::graded_layout(shape, 188, 11, 1), sides, shape.side);
+    return body_within(batra2008::hole::graded_layout(shape, N, on_arc, 1), sides, shape.side);
 }
 
 /// Named in an order in which the corners have the conditions of elastostatics::conditions_at().
