@@ -101,6 +101,8 @@ template CommandLine::Option CommandLine::add_option(const std::string&, long&, 
 template CommandLine::Option CommandLine::add_option(const std::string&, unsigned long&, const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<std::string>&,
                                                      const std::string&);
+template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<long>&,
+                                                         const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<double>&,
                                                      const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
