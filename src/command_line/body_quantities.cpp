@@ -207,7 +207,8 @@ std::string listed(const std::vector<std::pair<std::string, bodies::Values<n>>>&
 }  // namespace
 
 template <int n>
-std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method) {
+std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method,
+                                  const std::string& remedy) {
     constexpr double small = 0.02, large = 0.1;
     if (balance.defect <= small) return {};
     if (!std::isfinite(balance.defect))
@@ -215,8 +216,7 @@ std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::
     const std::string text = method + ": loads and reactions leave a defect of " +
                              shown(100 * balance.defect, 3) + " % of their sizes; loads " +
                              listed<n>(balance.loads) + ", reactions " + listed<n>(balance.reactions) +
-                             ", volume " + particles::shown_point(balance.volume) + "; take " +
-                             (method == "hats" ? "" : "--method hats or ") + "a smaller --size";
+                             ", volume " + particles::shown_point(balance.volume) + "; take " + remedy;
     if (balance.defect > large) throw FailedComputation(text);
     return text;
 }
@@ -303,9 +303,9 @@ template double size_of(const Body<2>&);
 template double size_of(const Body<3>&);
 template void require_inside(const Body<2>&, const std::vector<Point<2>>&);
 template void require_inside(const Body<3>&, const std::vector<Point<3>>&);
-template std::optional<std::string> remark(const bodies::Balance<1>&, const std::string&);
-template std::optional<std::string> remark(const bodies::Balance<2>&, const std::string&);
-template std::optional<std::string> remark(const bodies::Balance<3>&, const std::string&);
+template std::optional<std::string> remark(const bodies::Balance<1>&, const std::string&, const std::string&);
+template std::optional<std::string> remark(const bodies::Balance<2>&, const std::string&, const std::string&);
+template std::optional<std::string> remark(const bodies::Balance<3>&, const std::string&, const std::string&);
 
 #define INSTANTIATE(dim, n)                                                                            \
     template std::vector<State<dim, n>> states(const bodies::Problem<dim, n>&,                         \

@@ -64,7 +64,8 @@ std::vector<Quantity<dim>> quantities(const bodies::Balance<n>& balance);
 /// What is wrong with a balance, in words: nothing up to a defect of 2 %.
 /// \throws base::FailedComputation for a defect of more than 10 %, with loads and reactions and a remedy
 template <int n>
-std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method);
+std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method,
+                                  const std::string& remedy);
 
 /// The fields at the particles, for `--field`. \param suffix of their names
 template <int dim, int n>

@@ -102,7 +102,7 @@ template CommandLine::Option CommandLine::add_option(const std::string&, unsigne
 template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<std::string>&,
                                                      const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<long>&,
-                                                         const std::string&);
+                                                     const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::optional<double>&,
                                                      const std::string&);
 template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,

@@ -164,6 +164,14 @@ class BodyTable {
     }
 
   private:
+    /// What may mend a solution out of equilibrium.
+    [[nodiscard]] std::string remedy(const Body<dim>& body, const Discretisation& how) const {
+        const std::string finer = body.cells.empty() ? "more particles"
+                                  : options_.size    ? "a smaller --size"
+                                                     : "a finer mesh";
+        return how.method == bodies::Method::hats || body.cells.empty() ? finer : "--method hats or " + finer;
+    }
+
     /// What is asked of the solution by a method.
     Found<dim> solved(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how,
                       bool finest) {
@@ -178,7 +186,8 @@ class BodyTable {
         for (const auto& quantity : command_line::quantities<dim, n>(balance))
             if (std::isfinite(quantity.value)) found.quantities.push_back(quantity);
         if (!finest) return found;
-        if (const auto remark = command_line::remark(balance, method)) found.remarks.push_back(*remark);
+        if (const auto remark = command_line::remark(balance, method, remedy(body, how)))
+            found.remarks.push_back(*remark);
         if (solution.quality > bad)
             found.remarks.push_back(method + ": the neighbours of the particle at " +
                                     particles::shown_point(Point<dim>(body.x.col(solution.worst))) +
