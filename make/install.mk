@@ -1,7 +1,7 @@
 # Installed are the library of the methods and its headers, without those of the claims.
 # Variables: PREFIX, and DESTDIR, which goes before it.
 PREFIX ?= /usr/local
-headers := $(filter-out %/choices.hpp,$(shell find src/base src/particles src/solvers $(papers:%=src/%) \
+headers := $(filter-out %/choices.hpp,$(shell find src/base src/particles src/solvers src/bodies $(papers:%=src/%) \
              -name '*.hpp' -not -path '*/claims/*'))
 define install_below
 	prefix=$$(realpath -ms -- "$(1)")
@@ -40,6 +40,7 @@ examples: $(methods) ## build and run the examples as a user would: outside of t
 	        env -u MAKEFLAGS make --no-print-directory --always-make -C "$$folder" CXX=$$compiler OPTIMISE="$$flags"
 	        "$$folder/heat_equation"
 	        "$$folder/laplacian"
+	        "$$folder/own_body"
 	        "$$folder/own_formulation"
 	        "$$folder/own_kernel"
 	    done
