@@ -10,6 +10,21 @@
 #include "particles/region.hpp"
 
 /// Boundary-value problems on a body of the reader's: any shape in the plane or in space, with named sides.
+///
+/// A Problem on a Body has n unknowns at each particle, a displacement or one scalar. Its Equation is a
+/// balance,
+/// \f[ \sum_a \partial_a F_{ia} + b_i = c\,u_i, \qquad F_{ia} = \sum_{jb} A_{ia,jb}\,\partial_b u_j, \f]
+/// and on a side each component has a given value, or a Given load \f$\sum_a F_{ia} n_a = t_i\f$. solve()
+/// makes one linear system of it, n rows for each particle, by a Method:
+///
+/// | | inside | on the boundary |
+/// | --- | --- | --- |
+/// | `fpm`, `strong` | the balance at the particle | value or load at the particle |
+/// | `weak1`, `weak2` | the balance, weighted on a disc | loads as integrals, values by a penalty |
+/// | `hats` | the balance, weighted by a hat of the cells | loads as integrals, values at the particle |
+///
+/// state_at() has the solution anywhere, balance() the loads and reactions, eigenvalues() the lowest modes,
+/// and extrapolated() the error bar from three clouds.
 namespace bodies {
 
 using base::Index;

@@ -6,7 +6,7 @@
 #include "bodies/conditions.hpp"
 #include "solvers/sparse.hpp"
 
-/// Rows of a linear system: how the unknowns of some particles enter an equation.
+// Rows of a linear system: how the unknowns of some particles enter an equation.
 namespace bodies {
 
 /// Factors of the n unknowns, a row for each of some particles.
