@@ -24,7 +24,7 @@ step = power * (extent / 4 > 3.5 * power ? 5 : extent / 4 > 1.5 * power ? 2 : 1)
 set xtics step; set ytics step; set ztics step
 stats body using 4 nooutput
 set cbrange [STATS_min == STATS_max ? STATS_min - 0.5 : STATS_min : STATS_min == STATS_max ? STATS_max + 0.5 : STATS_max]
-set format cb "%.3g"
+set format cb "%.6g"
 set title what
 unset key; unset grid
 set xlabel "x"; set ylabel "y"; set zlabel "z"
