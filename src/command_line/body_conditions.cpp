@@ -161,7 +161,7 @@ double finite(const std::string& where, const std::string& text, double value, c
 /// The function of a text that is finite at all particles of the body.
 template <int dim>
 Field<dim> function_in(const Body<dim>& body, const std::string& option, const std::string& text) {
-    const Field<dim> f = function<dim>(option, text);
+    Field<dim> f = function<dim>(option, text);
     for (Index I = 0; I < body.x.cols(); ++I) {
         const Point<dim> x = body.x.col(I);
         finite<dim>(option, text, f(x), x);
@@ -257,7 +257,7 @@ class Conditions {
 
     /// A function that is finite at the particles of the side.
     [[nodiscard]] Field<dim> function_on_side(const std::string& text) const {
-        const Field<dim> f = function<dim>(where(), text);
+        Field<dim> f = function<dim>(where(), text);
         for (const auto& place : side_->places) {
             const Point<dim> x = body_.x.col(place.particle);
             finite<dim>(where(), text, f(x), x);
@@ -437,7 +437,7 @@ Field<dim, Point<dim>> gradient(const std::string& option, const std::string& te
 template <int dim>
 Field<dim> conductivity(const TypedProblem& typed, const Body<dim>& body) {
     const std::string text = typed.conductivity.value_or("1");
-    const Field<dim> k = function_in(body, "--conductivity", text);
+    Field<dim> k = function_in(body, "--conductivity", text);
     for (Index I = 0; I < body.x.cols(); ++I) {
         const Point<dim> x = body.x.col(I);
         if (!(k(x) > 0))

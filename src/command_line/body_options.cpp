@@ -23,7 +23,6 @@ using base::shown;
 using bodies::Body;
 using bodies::Discretisation;
 using bodies::Index;
-using bodies::Method;
 using bodies::Point;
 
 void add_options(CommandLine& app, BodyOptions& options) {

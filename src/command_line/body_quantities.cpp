@@ -37,7 +37,7 @@ bool lies_in(const Body<dim>& body, const std::array<int, dim + 1>& cell, const 
              double distance) {
     Eigen::Matrix<double, dim, dim> edges;
     for (int k = 0; k < dim; ++k)
-        edges.col(k) = body.x.col(cell[static_cast<std::size_t>(k + 1)]) - body.x.col(cell[0]);
+        edges.col(k) = body.x.col(cell[static_cast<std::size_t>(k) + 1]) - body.x.col(cell[0]);
     const Eigen::Matrix<double, dim, dim> gradients = edges.inverse();  // of the hats, in rows
     const Point<dim> hats = gradients * (x - body.x.col(cell[0]));
     for (int k = 0; k < dim; ++k)
@@ -307,18 +307,36 @@ template std::optional<std::string> remark(const bodies::Balance<1>&, const std:
 template std::optional<std::string> remark(const bodies::Balance<2>&, const std::string&, const std::string&);
 template std::optional<std::string> remark(const bodies::Balance<3>&, const std::string&, const std::string&);
 
-#define INSTANTIATE(dim, n)                                                                            \
-    template std::vector<State<dim, n>> states(const bodies::Problem<dim, n>&,                         \
-                                               const bodies::Solution<dim, n>&, const Points<dim>&);   \
-    template std::vector<std::pair<std::string, double>> named(const State<dim, n>&, const Material&); \
-    template std::vector<Quantity<dim>> quantities(const SolvedBody<dim, n>&,                          \
-                                                   const std::vector<Point<dim>>&);                    \
-    template std::vector<Quantity<dim>> quantities<dim, n>(const bodies::Balance<n>&);                 \
-    template std::vector<bodies::NamedField> fields(const SolvedBody<dim, n>&, const std::string&);    \
-    template report::Table drawing(const SolvedBody<dim, n>&)
-INSTANTIATE(2, 1);
-INSTANTIATE(3, 1);
-INSTANTIATE(2, 2);
-INSTANTIATE(3, 3);
+template std::vector<State<2, 1>> states(const bodies::Problem<2, 1>&, const bodies::Solution<2, 1>&,
+                                         const Points<2>&);
+template std::vector<std::pair<std::string, double>> named(const State<2, 1>&, const Material&);
+template std::vector<Quantity<2>> quantities(const SolvedBody<2, 1>&, const std::vector<Point<2>>&);
+template std::vector<Quantity<2>> quantities<2, 1>(const bodies::Balance<1>&);
+template std::vector<bodies::NamedField> fields(const SolvedBody<2, 1>&, const std::string&);
+template report::Table drawing(const SolvedBody<2, 1>&);
+
+template std::vector<State<3, 1>> states(const bodies::Problem<3, 1>&, const bodies::Solution<3, 1>&,
+                                         const Points<3>&);
+template std::vector<std::pair<std::string, double>> named(const State<3, 1>&, const Material&);
+template std::vector<Quantity<3>> quantities(const SolvedBody<3, 1>&, const std::vector<Point<3>>&);
+template std::vector<Quantity<3>> quantities<3, 1>(const bodies::Balance<1>&);
+template std::vector<bodies::NamedField> fields(const SolvedBody<3, 1>&, const std::string&);
+template report::Table drawing(const SolvedBody<3, 1>&);
+
+template std::vector<State<2, 2>> states(const bodies::Problem<2, 2>&, const bodies::Solution<2, 2>&,
+                                         const Points<2>&);
+template std::vector<std::pair<std::string, double>> named(const State<2, 2>&, const Material&);
+template std::vector<Quantity<2>> quantities(const SolvedBody<2, 2>&, const std::vector<Point<2>>&);
+template std::vector<Quantity<2>> quantities<2, 2>(const bodies::Balance<2>&);
+template std::vector<bodies::NamedField> fields(const SolvedBody<2, 2>&, const std::string&);
+template report::Table drawing(const SolvedBody<2, 2>&);
+
+template std::vector<State<3, 3>> states(const bodies::Problem<3, 3>&, const bodies::Solution<3, 3>&,
+                                         const Points<3>&);
+template std::vector<std::pair<std::string, double>> named(const State<3, 3>&, const Material&);
+template std::vector<Quantity<3>> quantities(const SolvedBody<3, 3>&, const std::vector<Point<3>>&);
+template std::vector<Quantity<3>> quantities<3, 3>(const bodies::Balance<3>&);
+template std::vector<bodies::NamedField> fields(const SolvedBody<3, 3>&, const std::string&);
+template report::Table drawing(const SolvedBody<3, 3>&);
 
 }  // namespace command_line

@@ -26,7 +26,7 @@ template <int dim>
 struct Quantity {
     std::string name;
     std::optional<bodies::Point<dim>> place;
-    double value;
+    double value = 0;
     bool has_limit = true;  ///< for ever finer particles
 };
 
