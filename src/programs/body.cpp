@@ -87,7 +87,8 @@ std::vector<Cell> row(const std::string& method, Index particles, const Quantity
 
 /// Order, extrapolated value and uncertainty from the last three clouds; empty for what has no limit.
 template <int dim>
-std::vector<Cell> limit(const std::vector<Found<dim>>& clouds, std::size_t quantity, double formal) {
+std::vector<Cell> limit(const std::vector<Found<dim>>& clouds, std::size_t quantity) {
+    constexpr double formal = 2;  // of all methods
     const auto value = [&](std::size_t before_last) {
         return clouds[clouds.size() - 1 - before_last].quantities[quantity].value;
     };
@@ -152,10 +153,9 @@ class BodyTable {
         for (std::size_t k = 0; k < methods_.size(); ++k) {
             const Found<dim>& last = found_[k].back();
             table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
-            const double formal = methods_[k].method == bodies::Method::fpm ? 2 : methods_[k].degree;
             for (std::size_t q = 0; q < last.quantities.size(); ++q) {
                 auto cells = row(bodies::name(methods_[k].method), particles_.back(), last.quantities[q]);
-                const auto more = refined ? limit(found_[k], q, formal) : std::vector<Cell>();
+                const auto more = refined ? limit(found_[k], q) : std::vector<Cell>();
                 cells.insert(cells.end(), more.begin(), more.end());
                 table.rows.push_back(cells);
             }
@@ -188,6 +188,10 @@ class BodyTable {
         if (!finest) return found;
         if (const auto remark = command_line::remark(balance, method, remedy(body, how)))
             found.remarks.push_back(*remark);
+        if (const int degree = solution.approximation.how().degree; degree != how.degree)
+            found.remarks.push_back(method + ": monomials of degree " + std::to_string(degree) +
+                                    ", since the particles determine those of degree " +
+                                    std::to_string(how.degree) + " badly somewhere");
         if (solution.quality > bad)
             found.remarks.push_back(method + ": the neighbours of the particle at " +
                                     particles::shown_point(Point<dim>(body.x.col(solution.worst))) +
