@@ -195,7 +195,7 @@ std::vector<Discretisation> discretisations(const BodyOptions& options, const Bo
     for (const std::string& method : methods) {
         Discretisation how;
         how.method = bodies::method_named(method);
-        how.degree = static_cast<int>(options.degree.value_or(how.method == Method::hats ? 3 : 2));
+        how.degree = static_cast<int>(options.degree.value_or(how.method == bodies::Method::hats ? 3 : 2));
         how.scaling = options.scaling;
         how.smoothing = options.smoothing;
         how.spacing = spacing;
