@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -220,19 +221,19 @@ class BodyTable {
                       particles::shown_point(Point<dim>(body.x.rowwise().maxCoeff())));
         all.insert(all.end(), sides_.begin(), sides_.end());
         if (body.gap > 0)
-            all.push_back("gap between the straight pieces of the boundary and the shape: " +
-                          shown(body.gap, 3) + " at most");
+            all.emplace_back("gap between the straight pieces of the boundary and the shape: " +
+                             shown(body.gap, 3) + " at most");
         if (options_.modes > 0)
-            all.push_back(
+            all.emplace_back(
                 n == 1
                     ? "eigenvalues of -div(k grad u) + c u = lambda u, all values and loads zero"
                     : "eigenvalues of -div(stress) + c u = lambda u, all values and loads zero: a density rho makes the frequency sqrt(lambda/rho)/(2 pi)");
         else if (n == 1)
-            all.push_back("q1, q2: the flux of heat -k grad u; loads and reactions are heat that enters");
+            all.emplace_back("q1, q2: the flux of heat -k grad u; loads and reactions are heat that enters");
         else if (dim == 2)
-            all.push_back("loads and reactions are for each unit of thickness");
+            all.emplace_back("loads and reactions are for each unit of thickness");
         if (options_.refine > 1)
-            all.push_back(
+            all.emplace_back(
                 "clouds of --size, size/sqrt(2), ...; from the last three: the observed order, the extrapolated value, and its uncertainty 1.25 |f3 - f2|/(r^p - 1), or three times the range for an order that cannot be");
         return all;
     }
@@ -248,13 +249,13 @@ class BodyTable {
 };
 
 template <int dim, int n>
-report::Table table_of(BodyOptions& options, meshes::Model first) {
+report::Table table_of(BodyOptions& options, const meshes::Model& first) {
     BodyTable<dim, n> all(options);
     const auto methods = command_line::discretisations(options, std::get<Body<dim>>(first.body));
     command_line::Progress progress(methods.size() * static_cast<std::size_t>(options.refine));
     std::vector<std::string> notes;
     for (long cloud = 0; cloud < options.refine; ++cloud) {
-        meshes::Model here = cloud == 0 ? std::move(first) : model(options, cloud);
+        const meshes::Model here = cloud == 0 ? first : model(options, cloud);
         notes = here.notes;
         all.add(std::get<Body<dim>>(here.body), cloud == options.refine - 1, progress);
     }
@@ -262,10 +263,10 @@ report::Table table_of(BodyOptions& options, meshes::Model first) {
 }
 
 template <int dim>
-report::Table table_of(BodyOptions& options, meshes::Model first) {
+report::Table table_of(BodyOptions& options, const meshes::Model& first) {
     command_line::check(options.problem, dim);
-    return command_line::is_scalar(options.problem) ? table_of<dim, 1>(options, std::move(first))
-                                                    : table_of<dim, dim>(options, std::move(first));
+    return command_line::is_scalar(options.problem) ? table_of<dim, 1>(options, first)
+                                                    : table_of<dim, dim>(options, first);
 }
 
 }  // namespace
@@ -281,8 +282,7 @@ int main(int argc, char** argv) {
     command_line::add_options(app, options);
     return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
         command_line::check(options);
-        meshes::Model first = model(options, 0);
-        return first.body.index() == 0 ? table_of<2>(options, std::move(first))
-                                       : table_of<3>(options, std::move(first));
+        const meshes::Model first = model(options, 0);
+        return first.body.index() == 0 ? table_of<2>(options, first) : table_of<3>(options, first);
     });
 }
