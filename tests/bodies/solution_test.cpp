@@ -155,15 +155,15 @@ TEST_CASE("solution: displacements turn with the body, and follow the units of l
 TEST_CASE("solution: von Mises' stress of tension, of shear and of pressure") {
     const Material stress{1, 0.3, Plane::stress}, strain{1, 0.3, Plane::strain};
     const Eigen::Matrix2d tension{{5, 0}, {0, 0}}, shear{{0, 2}, {2, 0}},
-        pressure = -4 * Eigen::Matrix2d::Identity();
+        squeeze = -4 * Eigen::Matrix2d::Identity();
     CHECK(von_mises<2>(tension, stress) == relative(5, 1e-14));
     // s33 = 0.3 s11
     CHECK(von_mises<2>(tension, strain) == relative(5 * std::sqrt(1 - 0.3 + 0.09), 1e-14));
     CHECK(von_mises<2>(shear, stress) == relative(2 * std::sqrt(3), 1e-14));
     CHECK(von_mises<2>(shear, strain) == relative(2 * std::sqrt(3), 1e-14));
-    CHECK(von_mises<2>(pressure, stress) == relative(4, 1e-14));
+    CHECK(von_mises<2>(squeeze, stress) == relative(4, 1e-14));
     // s33 = 0.6 s11
-    CHECK(von_mises<2>(pressure, strain) == relative(4 * 0.4, 1e-14));
+    CHECK(von_mises<2>(squeeze, strain) == relative(4 * 0.4, 1e-14));
     Eigen::Matrix3d all = Eigen::Matrix3d::Zero();
     all(2, 2) = -5;
     CHECK(von_mises<3>(all, stress) == relative(5, 1e-14));
@@ -247,13 +247,12 @@ TEST_CASE("solution: a heated square loses its source through the sides that are
     problem.given[1].surroundings = [](const Point<2>&) { return 0.0; };
     // u = x (q - 3 x / 2), where the flux 2 (3 - q) at the right is 4 (q - 3/2)
     constexpr double q = 2;
-    for (const auto& [method, tolerance] :
-         {std::pair(Method::hats, 1e-10), std::pair(Method::fpm, 1e-8), std::pair(Method::strong, 1e-8)}) {
+    for (const Method method : {Method::hats, Method::fpm, Method::strong}) {
         INFO(name(method));
         const auto solution = solve(problem, square, by(method));
         const auto found = balance(problem, square, solution);
         CHECK(found.volume[0] == relative(6, 1e-12));
-        CHECK(found.defect < tolerance);
+        CHECK(found.defect < (method == Method::hats ? 1e-10 : 1e-8));
         CHECK(on(found.reactions, "left")[0] == relative(-2 * q, 0.01));
         CHECK(on(found.loads, "right")[0] == relative(-4 * (q - 1.5), 0.01));
         CHECK(state_at(problem, solution, {0.5, 0.5}).u[0] == relative(0.5 * (q - 0.75), 0.01));
