@@ -45,7 +45,8 @@ void add_options(CommandLine& app, BodyOptions& options) {
     app.add_list(
         "--method", options.methods,
         "methods: all that apply, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
-    app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2; of hats 3)")
+    app.add_option("--degree", options.degree,
+                   "degree m of the monomials of SSPH (default 2; of hats in the plane 3)")
         .type_name("2|3")
         .within(2, 3);
     app.add_option("--scaling", options.scaling, "scaling factor rho of the kernel of SSPH (default 3)")
@@ -195,7 +196,8 @@ std::vector<Discretisation> discretisations(const BodyOptions& options, const Bo
     for (const std::string& method : methods) {
         Discretisation how;
         how.method = bodies::method_named(method);
-        how.degree = static_cast<int>(options.degree.value_or(how.method == bodies::Method::hats ? 3 : 2));
+        how.degree =
+            static_cast<int>(options.degree.value_or(how.method == bodies::Method::hats && dim == 2 ? 3 : 2));
         how.scaling = options.scaling;
         how.smoothing = options.smoothing;
         how.spacing = spacing;
