@@ -35,9 +35,10 @@ std::vector<int> highest_derivatives(const Conditions<dim, n>& conditions, Metho
     return order;
 }
 
-/// R of the derivatives of order k in a row of FPM, in units of h.
+/// R of the derivatives of order k at a particle, in units of h.
 template <int dim>
 double quality_of_row(const Approximation<dim>& approximation, Index I, int k) {
+    const int exact = approximation.how().method == Method::fpm ? 3 : approximation.how().degree;
     const Weights<dim> at = approximation.at_particle(I);
     const double h = approximation.h()[I];
     Offsets<double, dim> r(static_cast<Index>(at.particle.size()), dim);
@@ -48,11 +49,22 @@ double quality_of_row(const Approximation<dim>& approximation, Index I, int k) {
     double largest = 0;
     if (k == 1)
         for (int axis = 0; axis < dim; ++axis)
-            largest = std::max(largest, particles::quality<double, dim>(h * at.first.col(axis), r, 3));
+            largest = std::max(largest, particles::quality<double, dim>(h * at.first.col(axis), r, exact));
     else
         for (int pair = 0; pair < second_derivatives<dim>; ++pair)
-            largest = std::max(largest, particles::quality<double, dim>(h * h * at.second.col(pair), r, 3));
+            largest =
+                std::max(largest, particles::quality<double, dim>(h * h * at.second.col(pair), r, exact));
     return largest;
+}
+
+/// R of each particle.
+template <int dim>
+Column<double> qualities(const Approximation<dim>& approximation, const std::vector<int>& order) {
+    Column<double> R(approximation.cloud().size());
+    base::for_each_index(R.size(), [&](Index I) {
+        R[I] = quality_of_row(approximation, I, order[static_cast<std::size_t>(I)]);
+    });
+    return R;
 }
 
 /// The worst row. \throws base::FailedComputation where it is too bad for a solution
@@ -65,10 +77,7 @@ particles::WorstRow checked_quality(const Approximation<dim>& approximation, con
                                                                      approximation.h(), order)
                                : ssph_basis::require_quality<3, dim>(approximation.cloud(), kernel,
                                                                      approximation.h(), order);
-    const Index N = approximation.cloud().size();
-    Column<double> R(N);
-    base::for_each_index(
-        N, [&](Index I) { R[I] = quality_of_row(approximation, I, order[static_cast<std::size_t>(I)]); });
+    const Column<double> R = qualities(approximation, order);
     particles::WorstRow worst;
     worst.R = R.maxCoeff(&worst.particle);
     worst.derivative = order[static_cast<std::size_t>(worst.particle)];
@@ -127,6 +136,7 @@ Solution<dim, n> solve_as_asked(const Problem<dim, n>& problem, const Body<dim>&
     Solution<dim, n> solution{Approximation<dim>(Cloud<dim>(body.x), how), {}};
     const auto worst = checked_quality(solution.approximation, highest_derivatives(all, how.method));
     require_for_hats(worst, how);
+    solution.R = qualities(solution.approximation, highest_derivatives(all, how.method));
     solution.quality = worst.R;
     solution.worst = worst.particle;
     System system = system_of(problem, body, solution.approximation, all, Wanted::solution);

@@ -15,6 +15,7 @@ template <int dim, int n>
 struct Solution {
     Approximation<dim> approximation;
     Eigen::VectorXd u;   ///< n unknowns of each particle, neighbours of one another
+    Column<double> R{};  ///< quality number of each particle's derivatives
     double quality = 0;  ///< R of the worst row, particles::quality()
     Index worst = 0;     ///< its particle
 };

@@ -243,6 +243,7 @@ std::vector<bodies::NamedField> fields(const SolvedBody<dim, n>& solved, const s
             for (std::size_t k = n; k < numbers.size(); ++k) all[k - n + 1].values(0, I) = numbers[k].second;
         }
     }
+    all.push_back({"quality" + suffix, solved.solution.R.matrix().transpose()});
     return all;
 }
 

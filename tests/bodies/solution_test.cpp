@@ -265,3 +265,24 @@ TEST_CASE("solution: a field that is a polynomial of the basis has no noise") {
     const auto problem = exact.problem(body, {"left"});
     CHECK(noise(solve(problem, body, by(Method::strong))) < 1e-8);
 }
+
+TEST_CASE("solution: its worst particle is that with the largest quality number") {
+    const Body<2> body = support::disc(6, 0.1, 1);
+    for (const Method method : {Method::hats, Method::strong, Method::fpm}) {
+        CAPTURE(name(method));
+        Problem<2, 1> problem = membrane(body);
+        problem.equation.b = [](const Point<2>&) { return Values<1>(1); };
+        const auto solution = solve(problem, body, by(method));
+        CHECK(solution.R.maxCoeff() == relative(solution.quality, 1e-12));
+        CHECK(solution.R[solution.worst] == solution.R.maxCoeff());
+    }
+}
+
+TEST_CASE("solution: hats of degree 3 take degree 2 in a strip two cells wide, and say so") {
+    const auto flat = [](const Point<2>& x) { return Point<2>(x[0], x[1] / 10); };
+    const Body<2> thin = block<2>({{20, 2}, 0, 1, flat}), wide = block<2>({{20, 20}});
+    Discretisation cubic = by(Method::hats);
+    cubic.degree = 3;
+    CHECK(solve(membrane(thin), thin, cubic).approximation.how().degree == 2);
+    CHECK(solve(membrane(wide), wide, cubic).approximation.how().degree == 3);
+}
