@@ -216,6 +216,28 @@ std::vector<Values<n>> consistent_reactions(const Problem<dim, n>& problem, cons
     return all;
 }
 
+/// What acts at a place of the boundary.
+template <int n>
+struct Acting {
+    Values<n> applied = Values<n>::Zero();                                     ///< the load
+    Eigen::Matrix<double, n, n> valued = Eigen::Matrix<double, n, n>::Zero();  ///< onto given values
+};
+
+/// \param given of the side, or null for a free one \param u the solution there
+template <int dim, int n>
+Acting<n> acting(const Given<dim, n>* given, const IntegrationPoint<dim>& at, const Values<n>& u) {
+    Acting<n> here;
+    if (given == nullptr) return here;
+    for (int i = 0; i < n; ++i)
+        if (given->value[static_cast<std::size_t>(i)]) here.valued(i, i) = 1;
+    if constexpr (n == dim)
+        if (given->symmetry) here.valued += at.normal * at.normal.transpose();
+    for (const Load<dim, n>& one : given->loads) here.applied += one(at.x, at.normal);
+    if (given->exchange)
+        here.applied += given->exchange(at.x) * (Values<n>::Constant(given->surroundings(at.x)) - u);
+    return here;
+}
+
 }  // namespace
 
 template <int dim, int n>
@@ -237,18 +259,10 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
         for (const auto& at : rule_on(side, solution.approximation.cloud().spacing())) {
             const State<dim, n> state = state_at(problem, solution, at.x);
             const Values<n> t = state.F * at.normal;
-            Eigen::Matrix<double, n, n> valued = Eigen::Matrix<double, n, n>::Zero();
-            for (int i = 0; i < n; ++i)
-                if (given.value[static_cast<std::size_t>(i)]) valued(i, i) = 1;
-            if constexpr (n == dim)
-                if (given.symmetry) valued += at.normal * at.normal.transpose();
-            Values<n> applied = Values<n>::Zero();
-            for (const Load<dim, n>& one : given.loads) applied += one(at.x, at.normal);
-            if (given.exchange) {
-                const double a = given.exchange(at.x), u_0 = given.surroundings(at.x);
-                applied += a * (Values<n>::Constant(u_0) - state.u);
-                parts += at.weight * a * (std::abs(u_0) + state.u.stableNorm());
-            }
+            const auto [applied, valued] = acting<dim, n>(&given, at, state.u);
+            if (given.exchange)
+                parts += at.weight * given.exchange(at.x) *
+                         (std::abs(given.surroundings(at.x)) + state.u.stableNorm());
             load += at.weight * (applied - valued * applied);
             reaction += at.weight * (valued * t);
             loads += at.weight * Values<n>(applied - valued * applied).stableNorm();
@@ -276,6 +290,28 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
         std::max(loads + (n == dim && loads > 0 ? reactions : tractions), round_off * (parts + tractions));
     all.defect = sizes > 0 ? 2 * sum.stableNorm() / sizes : 0;
     return all;
+}
+
+template <int dim, int n>
+double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution) {
+    double missed = 0, sizes = 0, length = 0;
+    for (const Side<dim>& side : body.sides) {
+        const auto given = std::find_if(problem.given.begin(), problem.given.end(),
+                                        [&](const auto& one) { return one.side == side.name; });
+        for (const auto& at : rule_on(side, solution.approximation.cloud().spacing())) {
+            const State<dim, n> state = state_at(problem, solution, at.x);
+            const auto [applied, valued] =
+                acting<dim, n>(given == problem.given.end() ? nullptr : &*given, at, state.u);
+            const Values<n> gap = state.F * at.normal - applied;
+            missed += at.weight * (gap - valued * gap).squaredNorm();
+            sizes += at.weight * state.F.squaredNorm();
+            length += at.weight;
+        }
+    }
+    constexpr double round_off = 1e-9;  // a solution that hardly varies has nothing but round-off in F
+    const double of_values = problem.equation.A(body.x.col(0)).norm() * solution.u.cwiseAbs().maxCoeff() /
+                             solution.approximation.cloud().spacing();
+    return std::sqrt(sizes / length) > round_off * of_values ? std::sqrt(missed / sizes) : 0;
 }
 
 template <int dim, int n>
@@ -348,24 +384,28 @@ template Solution<2, 1> solve(const Problem<2, 1>&, const Body<2>&, const Discre
 template State<2, 1> state_at(const Problem<2, 1>&, const Solution<2, 1>&, const Point<2>&);
 template Balance<1> balance(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
 template double noise(const Solution<2, 1>&);
+template double missed_loads(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
 template std::vector<double> eigenvalues(const Problem<2, 1>&, const Body<2>&, const Discretisation&, Index);
 
 template Solution<3, 1> solve(const Problem<3, 1>&, const Body<3>&, const Discretisation&);
 template State<3, 1> state_at(const Problem<3, 1>&, const Solution<3, 1>&, const Point<3>&);
 template Balance<1> balance(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
 template double noise(const Solution<3, 1>&);
+template double missed_loads(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
 template std::vector<double> eigenvalues(const Problem<3, 1>&, const Body<3>&, const Discretisation&, Index);
 
 template Solution<2, 2> solve(const Problem<2, 2>&, const Body<2>&, const Discretisation&);
 template State<2, 2> state_at(const Problem<2, 2>&, const Solution<2, 2>&, const Point<2>&);
 template Balance<2> balance(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
 template double noise(const Solution<2, 2>&);
+template double missed_loads(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
 template std::vector<double> eigenvalues(const Problem<2, 2>&, const Body<2>&, const Discretisation&, Index);
 
 template Solution<3, 3> solve(const Problem<3, 3>&, const Body<3>&, const Discretisation&);
 template State<3, 3> state_at(const Problem<3, 3>&, const Solution<3, 3>&, const Point<3>&);
 template Balance<3> balance(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
 template double noise(const Solution<3, 3>&);
+template double missed_loads(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
 template std::vector<double> eigenvalues(const Problem<3, 3>&, const Body<3>&, const Discretisation&, Index);
 
 }  // namespace bodies

@@ -61,6 +61,12 @@ struct Balance {
 template <int dim, int n>
 Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
 
+/// How far the solution's own load \f$F n\f$ is from the given one, zero on free sides: root mean squares over
+/// the boundary, relative to that of F. It shows stresses that are wrong where displacements are right, as in
+/// a material that is nearly incompressible.
+template <int dim, int n>
+double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
+
 /// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
 template <int dim, int n>
 double noise(const Solution<dim, n>& solution);

@@ -34,6 +34,9 @@ constexpr double ratio = std::numbers::sqrt2;
 /// The quality number that no grid has, not even one with three particles on a side.
 constexpr double bad = 150;
 
+/// Share of the given loads that the boundary's stresses may miss before a remark says so.
+constexpr double most_missed = 0.1;
+
 /// The body that the options name. \param cloud how many clouds of `--refine` are coarser
 meshes::Model model(const BodyOptions& options, long cloud) {
     if (!options.mesh.empty()) {
@@ -183,6 +186,8 @@ class BodyTable {
         Found<dim> found{command_line::quantities(all, places_), {}};
         const double noise = bodies::noise(solution);
         if (std::isfinite(noise)) found.quantities.push_back({"noise", {}, noise, false});
+        const double missed = bodies::missed_loads(problem, body, solution);
+        if (std::isfinite(missed)) found.quantities.push_back({"missed_loads", {}, missed, false});
         const auto balance = bodies::balance(problem, body, solution);
         for (const auto& quantity : command_line::quantities<dim, n>(balance))
             if (std::isfinite(quantity.value)) found.quantities.push_back(quantity);
@@ -199,6 +204,11 @@ class BodyTable {
                                     " determine its derivatives badly (quality " +
                                     shown(solution.quality, 3) + ", where " + shown(bad) +
                                     " is the most); stresses near it may be wrong");
+        if (missed > most_missed)
+            found.remarks.push_back(method + ": the " + (n == 1 ? "fluxes" : "stresses") +
+                                    " at the boundary miss the given loads by " + shown(100 * missed, 3) +
+                                    " % of their size, where " + shown(100 * most_missed) +
+                                    " is the most; do not trust those near it");
         if (noise > batra2008::example_problems::most_noise)
             found.remarks.push_back(method + ": the unknowns alternate between neighbours, and " +
                                     (n == 1 ? "fluxes" : "stresses") + " may be wrong (noise " +

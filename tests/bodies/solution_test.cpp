@@ -286,3 +286,30 @@ TEST_CASE("solution: hats of degree 3 take degree 2 in a strip two cells wide, a
     CHECK(solve(membrane(thin), thin, cubic).approximation.how().degree == 2);
     CHECK(solve(membrane(wide), wide, cubic).approximation.how().degree == 3);
 }
+
+TEST_CASE(
+    "solution: the loads that stresses miss vanish with the cells, and are none of a body that only moves") {
+    const auto problem = lame();
+    const auto missed = [&](int n) {
+        const Body<2> body = quarter_ring(n);
+        return missed_loads(problem, body, solve(problem, body, by(Method::hats)));
+    };
+    CHECK(missed(8) > 2 * missed(16));
+    CHECK(missed(16) < 0.03);
+
+    const Body<2> body = block<2>({{8, 8}});
+    Problem<2, 2> shifted{elasticity<2>({2, 0.3})};
+    shifted.given = {{"left", {[](const Point<2>&) { return 3.0; }, [](const Point<2>&) { return -1.0; }}}};
+    CHECK(missed_loads(shifted, body, solve(shifted, body, by(Method::hats))) == 0);
+}
+
+TEST_CASE(
+    "solution: a material that hardly changes its volume misses loads where its displacements are right") {
+    const Body<2> body = quarter_ring(8);
+    const auto missed = [&](double nu) {
+        Problem<2, 2> problem = lame();
+        problem.equation = elasticity<2>({1, nu, Plane::strain});
+        return missed_loads(problem, body, solve(problem, body, by(Method::hats)));
+    };
+    CHECK(missed(0.4999) > 5 * missed(0.3));
+}
