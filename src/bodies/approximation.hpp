@@ -16,8 +16,9 @@ using particles::Column;
 using particles::Offsets;
 using particles::second_derivatives;
 
-/// The methods by their names in the papers; `fpm` is the second-order FPM of fpm_in_space. `hats` is weak1 with
-/// other test functions: the hats of the cells, which are linear on each cell and one at one particle.
+/// The methods by their names in the papers; `fpm` is the second-order FPM of fpm_in_space. `hats` is weak1
+/// with other test functions: the hats of the cells, linear on each cell, one at one particle and zero at all
+/// others.
 enum class Method { fpm, strong, weak1, weak2, hats };
 
 std::string name(Method method);

@@ -20,8 +20,8 @@ struct Solution {
     Index worst = 0;     ///< its particle
 };
 
-/// Hats of degree 3 take monomials of degree 2 where the neighbours do not determine more well; the solution says
-/// so, Approximation::how().
+/// Hats of degree 3 take monomials of degree 2 where the neighbours determine more badly; the solution tells,
+/// by Approximation::how().
 /// \throws base::InvalidInput for a problem without meaning and for a method that does not work on this body
 /// \throws base::FailedComputation where the method cannot solve it
 template <int dim, int n>
