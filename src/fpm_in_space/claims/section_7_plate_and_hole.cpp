@@ -1,0 +1,9 @@
+#include "fpm_in_space/claims/ledger.hpp"
+
+namespace fpm_in_space::claims {
+
+report::Computations section_7() {
+    return {};
+}
+
+}  // namespace fpm_in_space::claims
