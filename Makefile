@@ -7,7 +7,7 @@ SHELL := /bin/bash
 .SECONDARY:
 .DEFAULT_GOAL := help
 # The output of a recipe stays together, except for long checks, whose lines appear at once.
-long_checks := bench fresh fuzz lint mutants coverage compilers valgrind check-%
+long_checks := bench elements fresh fuzz lint mutants coverage compilers valgrind check-%
 ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += --jobs=$(shell nproc) $(if $(filter $(long_checks),$(MAKECMDGOALS)),,--output-sync=target)
 endif

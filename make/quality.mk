@@ -95,3 +95,7 @@ bench: bench-build ## measure speed beside the machine's limits and NumPy, into 
 	@bash tests/benchmarks/run $(BUILD)/bench $(MOST_1D) $(MOST_2D)
 $(bin)/bench: $(call objects_in,tests/benchmarks/%)
 $(bin)/bench: LDFLAGS := -lbenchmark
+
+.PHONY: elements
+elements: $(bin)/plate $(bin)/hole $(bin)/body ## measure particles beside finite elements (FreeFem++), into data/benchmarks and doc/elements.md
+	@bash tests/benchmarks/elements/run $(BUILD)

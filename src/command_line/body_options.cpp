@@ -76,6 +76,7 @@ void add_options(CommandLine& app, BodyOptions& options) {
            "K clouds of --size, size/sqrt(2), size/2, ...: with the observed order, the extrapolated value and its uncertainty from the last three")
         .type_name("K")
         .within(3, 12);
+    app.add_flag("--seconds", options.seconds, "add the seconds of assembly and solution");
     app.add_option("--field", options.field,
                    "file for the fields at the particles: .vtu for ParaView, or .csv")
         .type_name("FILE");
@@ -118,6 +119,7 @@ void check_modes(const BodyOptions& options) {
     if (options.modes == 0) return;
     const std::string why = " shows a solution, and --modes asks for eigenvalues; leave one of them out";
     if (!options.places.empty()) throw InvalidInput(options.places.front().option + why);
+    if (options.seconds) throw InvalidInput("--seconds" + why);
     if (!options.field.empty()) throw InvalidInput("--field" + why);
     if (!options.figure.path.empty()) throw InvalidInput("--plot" + why);
 }

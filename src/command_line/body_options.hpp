@@ -23,6 +23,7 @@ struct BodyOptions {
     std::string smoothing_from = "local";
     std::vector<Typed> places;  ///< --at and --along
     long modes = 0, refine = 1;
+    bool seconds = false;
     std::string field, output;
     int threads = 0;
     Figure figure{"bodies/body.gp"};

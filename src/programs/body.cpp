@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -180,7 +181,9 @@ class BodyTable {
     Found<dim> solved(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how,
                       bool finest) {
         const std::string method = bodies::name(how.method);
+        const auto start = std::chrono::steady_clock::now();
         const auto solution = bodies::solve(problem, body, how);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         command_line::SolvedBody<dim, n> all{problem, body, solution, material_};
         all.at_particles = command_line::states(problem, solution, body.x);
         Found<dim> found{command_line::quantities(all, places_), {}};
@@ -191,6 +194,7 @@ class BodyTable {
         const auto balance = bodies::balance(problem, body, solution);
         for (const auto& quantity : command_line::quantities<dim, n>(balance))
             if (std::isfinite(quantity.value)) found.quantities.push_back(quantity);
+        if (options_.seconds) found.quantities.push_back({"seconds", {}, seconds.count(), false});
         if (!finest) return found;
         if (const auto remark = command_line::remark(balance, method, remedy(body, how)))
             found.remarks.push_back(*remark);

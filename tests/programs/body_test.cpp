@@ -144,6 +144,17 @@ TEST_CASE(
     CHECK(number(table, "hats", "u") == support::relative(exact, 0.02));
 }
 
+TEST_CASE("body: the seconds of each method stand in a row of their own, if they are asked for") {
+    const Drawing drawing;
+    const std::string command =
+        "body --mesh " + drawing.bar + " --size 0.5" + steel + " --fix wall --method hats,weak1";
+    const auto table = table_of(command + " --seconds");
+    CHECK(number(table, "hats", "seconds") > 0);
+    CHECK(number(table, "weak1", "seconds") > 0);
+    const auto without = table_of(command);
+    CHECK(table.rows.size() == without.rows.size() + 2);
+}
+
 TEST_CASE("body: the modes of a rectangular membrane") {
     const Drawing drawing;
     const auto table = table_of("body --mesh " + drawing.bar +
@@ -212,6 +223,7 @@ TEST_CASE("body: bad invocations end with one line, exit code 2 and no output") 
              {elastic + " --fix wall --smoothing 1.3", "--smoothing belongs to fpm"},
              {elastic + " --fix wall --method fpm,strong --plot a.svg", "--plot draws one method"},
              {elastic + " --fix wall --modes 2 --at 1,0.5", "--modes asks for eigenvalues"},
+             {elastic + " --fix wall --modes 2 --seconds", "--seconds shows a solution"},
              {elastic + " --fix wall --refine 2", "--refine must lie between 3 and 12"},
              {elastic + " --fix wall --field a.vtk", ".vtu"},
              {"--mesh " + drawing.bar + steel + " --refine 3", "--refine needs the --size"},
