@@ -99,3 +99,4 @@ $(bin)/bench: LDFLAGS := -lbenchmark
 .PHONY: elements
 elements: $(bin)/plate $(bin)/hole $(bin)/body ## measure particles beside finite elements (FreeFem++), into data/benchmarks and doc/elements.md
 	@bash tests/benchmarks/elements/run $(BUILD)
+figures/benchmarks/figure_elements.svg: data/benchmarks/elements.csv

@@ -1,6 +1,6 @@
-# Errors of a table of the program body at the places that its benchmark wrote: log10 of the relative L2 error, the relative local
-# error of a quantity, and the seconds.
-# Use: awk -v quantity=NAME -f errors.awk PLACES TABLE
+# Errors of a table of the program body at the places that its benchmark wrote; behind the cells of row: log10 of the relative
+# L2 error, the relative local error of a quantity, and the seconds.
+# Use: awk -v row=CELLS -v quantity=NAME -f errors.awk PLACES TABLE
 function size(number) { return number < 0 ? -number : number }
 function larger(a, b) { return a > b ? a : b }
 NR == FNR {
@@ -27,4 +27,10 @@ name == quantity && weight[place] == 0 {
     error = larger(error, size(value - exact1[place]))
     largest = larger(largest, size(exact1[place]))
 }
-END { if (largest > 0) printf "%.5f,%.4g,%.4g\n", log(difference / norm) / log(100), error / largest, seconds }
+END {
+    if (place != length(weight) || largest == 0 || seconds == "") {
+        print "errors.awk: " row ": " place + 0 " places instead of " length(weight) ", " quantity " or the seconds are missing" > "/dev/stderr"
+        exit 1
+    }
+    printf "%s,%.5f,%.4g,%.4g\n", row, log(difference / norm) / log(100), error / largest, seconds
+}
