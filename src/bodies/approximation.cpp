@@ -84,21 +84,28 @@ Weights<dim> moved(Weights<dim> at, const Point<dim>& s) {
 
 }  // namespace
 
+const std::vector<std::pair<std::string, Method>>& methods() {
+    static const std::vector<std::pair<std::string, Method>> all{{"fpm", Method::fpm},
+                                                                 {"strong", Method::strong},
+                                                                 {"weak1", Method::weak1},
+                                                                 {"weak2", Method::weak2},
+                                                                 {"hats", Method::hats}};
+    return all;
+}
+
 std::string name(Method method) {
-    return method == Method::fpm      ? "fpm"
-           : method == Method::strong ? "strong"
-           : method == Method::weak1  ? "weak1"
-           : method == Method::weak2  ? "weak2"
-                                      : "hats";
+    return std::find_if(methods().begin(), methods().end(),
+                        [&](const auto& one) { return one.second == method; })
+        ->first;
 }
 
 Method method_named(std::string_view wanted) {
-    return base::choose<Method>("method", wanted,
-                                {{"fpm", Method::fpm},
-                                 {"strong", Method::strong},
-                                 {"weak1", Method::weak1},
-                                 {"weak2", Method::weak2},
-                                 {"hats", Method::hats}});
+    return base::choose("method", wanted, methods());
+}
+
+bool works(Method method, int dim, bool has_cells) {
+    if (method == Method::hats) return has_cells;
+    return dim == 2 || (method != Method::weak1 && method != Method::weak2);
 }
 
 template <int dim>

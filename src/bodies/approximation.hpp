@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bodies/body.hpp"
@@ -21,10 +22,16 @@ using particles::second_derivatives;
 /// others.
 enum class Method { fpm, strong, weak1, weak2, hats };
 
+/// All methods by their names.
+const std::vector<std::pair<std::string, Method>>& methods();
+
 std::string name(Method method);
 
 /// \throws base::InvalidInput for another name
 Method method_named(std::string_view wanted);
+
+/// Whether a method works in this dimension, on a body with cells or without.
+bool works(Method method, int dim, bool has_cells);
 
 /// How a problem is solved.
 struct Discretisation {

@@ -64,6 +64,10 @@ struct Body {
     double gap = 0;  ///< largest distance between the pieces and the shape that was meant [length]
 };
 
+/// The side that has a name. \throws base::InvalidInput with the names that there are
+template <int dim>
+const Side<dim>& side_named(const Body<dim>& body, const std::string& name);
+
 /// Whether a side is what remains of the boundary when all names are given: it can carry no condition.
 inline bool is_unnamed(const std::string& name) {
     return name.empty();

@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
@@ -27,6 +26,13 @@ struct Here {
     Point<dim> normal;
     int from;  ///< place in Problem::given
 };
+
+/// Whether the side of one was named before that of another; free sides come last.
+template <int dim, int n>
+bool named_before(const Here<dim, n>& one, const Here<dim, n>& other) {
+    if (one.given == nullptr || other.given == nullptr) return other.given == nullptr && one.given != nullptr;
+    return one.from < other.from;
+}
 
 /// The order in which sides are asked for a load.
 template <int dim, int n>
@@ -147,25 +153,11 @@ std::vector<Condition<dim, n>> by_choice(const Corner& corner, const std::vector
 
 template <int dim, int n>
 void check(const Problem<dim, n>& problem, const Body<dim>& body) {
-    const auto known = [&](const std::string& side) {
-        return std::any_of(body.sides.begin(), body.sides.end(),
-                           [&](const Side<dim>& one) { return one.name == side; });
-    };
-    const auto require_known = [&](const std::string& side) {
-        if (known(side)) return;
-        std::string names;
-        for (const Side<dim>& one : body.sides)
-            if (!is_unnamed(one.name)) names += (names.empty() ? "" : ", ") + one.name;
-        throw base::InvalidInput("the body has no side '" + side + "'; its sides are " + names);
-    };
-    for (auto given = problem.given.begin(); given != problem.given.end(); ++given) {
-        require_known(given->side);
-        if (std::any_of(problem.given.begin(), given,
-                        [&](const auto& one) { return one.side == given->side; }))
-            throw base::InvalidInput("the side " + given->side + " is given twice");
-    }
+    for (const Given<dim, n>& given : problem.given)
+        if (problem.given_on(side_named(body, given.side)) != &given)
+            throw base::InvalidInput("the side " + given.side + " is given twice");
     for (const Corner& corner : problem.corners) {
-        for (const std::string& side : corner.sides) require_known(side);
+        for (const std::string& side : corner.sides) static_cast<void>(side_named(body, side));
         if (corner.by_component.size() != n)
             throw base::InvalidInput("the corner of " + corner.sides[0] + " and " + corner.sides[1] +
                                      " needs " + std::to_string(n) + " sides, one for each component, got " +
@@ -183,26 +175,18 @@ template <int dim, int n>
 std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& problem,
                                                        const Body<dim>& body) {
     check(problem, body);
-    std::map<std::string, std::size_t> order;
-    for (std::size_t k = 0; k < problem.given.size(); ++k) order[problem.given[k].side] = k;
-    std::vector<std::vector<std::pair<std::size_t, Here<dim, n>>>> met(
-        static_cast<std::size_t>(body.x.cols()));
+    std::vector<std::vector<Here<dim, n>>> met(static_cast<std::size_t>(body.x.cols()));
     for (const Side<dim>& side : body.sides) {
-        const auto place = order.find(side.name);
-        const std::size_t k = place == order.end() ? problem.given.size() : place->second;
+        const Given<dim, n>* given = problem.given_on(side);
+        const int from = given == nullptr ? -1 : static_cast<int>(given - problem.given.data());
         for (const auto& [particle, normal] : side.places)
-            met[static_cast<std::size_t>(particle)].push_back(
-                {k,
-                 {place == order.end() ? nullptr : &problem.given[k], &side.name, normal,
-                  place == order.end() ? -1 : static_cast<int>(k)}});
+            met[static_cast<std::size_t>(particle)].push_back({given, &side.name, normal, from});
     }
     std::vector<std::vector<Condition<dim, n>>> all(met.size());
     for (std::size_t I = 0; I < met.size(); ++I) {
-        if (met[I].empty()) continue;
-        std::stable_sort(met[I].begin(), met[I].end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        std::vector<Here<dim, n>> here;
-        for (const auto& [k, one] : met[I]) here.push_back(one);
+        std::vector<Here<dim, n>>& here = met[I];
+        if (here.empty()) continue;
+        std::stable_sort(here.begin(), here.end(), named_before<dim, n>);
         const Point<dim> x = body.x.col(static_cast<Index>(I));
         const auto meets = [&](const std::string& side) {
             return std::any_of(here.begin(), here.end(), [&](const auto& one) { return *one.side == side; });

@@ -1,9 +1,7 @@
 #include "bodies/discs.hpp"
 
-#include <algorithm>
-#include <string>
+#include <array>
 
-#include "base/errors.hpp"
 #include "base/parallel.hpp"
 #include "batra2008/section_3_2_mlpg.hpp"
 #include "particles/boundary.hpp"
@@ -48,12 +46,8 @@ System on_discs(const Problem<2, n>& problem, const Body<2>& body, const Approxi
     particles::Region region;
     std::vector<const Given<2, n>*> given_on;
     for (const Side<2>& side : body.sides) {
-        const auto given = std::find_if(problem.given.begin(), problem.given.end(),
-                                        [&](const auto& one) { return one.side == side.name; });
-        for (const Piece<2>& piece : side.pieces) {
-            region.push_back(piece);
-            given_on.push_back(given == problem.given.end() ? nullptr : &*given);
-        }
+        region.insert(region.end(), side.pieces.begin(), side.pieces.end());
+        given_on.insert(given_on.end(), side.pieces.size(), problem.given_on(side));
     }
     const particles::Boundary boundary(particles::checked(region, size));
     const Kernel test(how.test_scaling);

@@ -94,13 +94,12 @@ Hats<dim, n>::Hats(const Problem<dim, n>& problem, const Body<dim>& body,
         for (const int particle : body.cells[c])
             cells_of_[static_cast<std::size_t>(particle)].push_back(static_cast<int>(c));
     for (const Side<dim>& side : body.sides) {
-        const auto given = std::find_if(problem.given.begin(), problem.given.end(),
-                                        [&](const auto& one) { return one.side == side.name; });
-        if (given == problem.given.end()) continue;
+        const Given<dim, n>* given = problem.given_on(side);
+        if (given == nullptr) continue;
         for (const Piece<dim>& piece : side.pieces) {
             const auto corners = corners_of(piece);
             const Point<dim> whole = area(corners);
-            Facet facet{{}, whole.normalized(), whole.norm(), &*given};
+            Facet facet{{}, whole.normalized(), whole.norm(), given};
             for (std::size_t k = 0; k < dim; ++k) {
                 facet.particle[k] = approximation.cloud().nearest(corners[k]);
                 if ((body.x.col(facet.particle[k]) - corners[k]).norm() > 0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
@@ -79,6 +80,13 @@ struct Problem {
     Equation<dim, n> equation;
     std::vector<Given<dim, n>> given{};  ///< in the order in which sides are named; others are free
     std::vector<Corner> corners{};
+
+    /// What is given on a side; null for a free one.
+    [[nodiscard]] const Given<dim, n>* given_on(const Side<dim>& side) const {
+        const auto found =
+            std::find_if(given.begin(), given.end(), [&](const auto& one) { return one.side == side.name; });
+        return found == given.end() ? nullptr : &*found;
+    }
 };
 
 }  // namespace bodies

@@ -253,10 +253,9 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
     if (of_hats) consistent = consistent_reactions(problem, body, solution);
     for (std::size_t k = 0; k < problem.given.size(); ++k) {
         const auto& given = problem.given[k];
-        const Side<dim>& side = *std::find_if(body.sides.begin(), body.sides.end(),
-                                              [&](const auto& one) { return one.name == given.side; });
         Values<n> load = Values<n>::Zero(), reaction = load;
-        for (const auto& at : rule_on(side, solution.approximation.cloud().spacing())) {
+        for (const auto& at :
+             rule_on(side_named(body, given.side), solution.approximation.cloud().spacing())) {
             const State<dim, n> state = state_at(problem, solution, at.x);
             const Values<n> t = state.F * at.normal;
             const auto [applied, valued] = acting<dim, n>(&given, at, state.u);
@@ -296,12 +295,9 @@ template <int dim, int n>
 double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution) {
     double missed = 0, sizes = 0, length = 0;
     for (const Side<dim>& side : body.sides) {
-        const auto given = std::find_if(problem.given.begin(), problem.given.end(),
-                                        [&](const auto& one) { return one.side == side.name; });
         for (const auto& at : rule_on(side, solution.approximation.cloud().spacing())) {
             const State<dim, n> state = state_at(problem, solution, at.x);
-            const auto [applied, valued] =
-                acting<dim, n>(given == problem.given.end() ? nullptr : &*given, at, state.u);
+            const auto [applied, valued] = acting<dim, n>(problem.given_on(side), at, state.u);
             const Values<n> gap = state.F * at.normal - applied;
             missed += at.weight * (gap - valued * gap).squaredNorm();
             sizes += at.weight * state.F.squaredNorm();

@@ -192,15 +192,7 @@ bool is_dash(const std::string& entry) {
 
 template <int dim>
 const Side<dim>& side_named(const Body<dim>& body, const std::string& option, const std::string& name) {
-    const auto side = std::find_if(body.sides.begin(), body.sides.end(),
-                                   [&](const Side<dim>& one) { return one.name == name; });
-    if (side != body.sides.end() && !bodies::is_unnamed(name)) return *side;
-    std::vector<std::string> names;
-    for (const Side<dim>& one : body.sides)
-        if (!bodies::is_unnamed(one.name)) names.push_back(one.name);
-    throw InvalidInput(option + ": the body has no side " + base::quoted(name) +
-                       (names.empty() ? "; name its sides, as by Physical Curve in a drawing"
-                                      : "; its sides are " + joined(names)));
+    return of_option(option, [&]() -> const Side<dim>& { return bodies::side_named(body, name); });
 }
 
 /// What options say on the sides of a body.

@@ -124,10 +124,19 @@ void check_modes(const BodyOptions& options) {
     if (!options.figure.path.empty()) throw InvalidInput("--plot" + why);
 }
 
+/// The names of the methods for which a condition holds.
+template <class Holds>
+std::vector<std::string> names_of_methods(const Holds& holds) {
+    std::vector<std::string> all;
+    for (const auto& [name, method] : bodies::methods())
+        if (holds(method)) all.push_back(name);
+    return all;
+}
+
 /// The methods by their names; none where the body decides.
 std::vector<std::string> method_names(const BodyOptions& options) {
     if (options.methods.empty()) return {};
-    return chosen("method", options.methods, {"fpm", "strong", "weak1", "weak2", "hats"});
+    return chosen("method", options.methods, names_of_methods([](bodies::Method) { return true; }));
 }
 
 /// \throws InvalidInput for an option that belongs to none of the methods
@@ -179,10 +188,7 @@ namespace {
 std::vector<std::string> method_names(const BodyOptions& options, int dim, bool has_cells) {
     if (options.methods.empty()) return {has_cells ? "hats" : dim == 2 ? "weak1" : "fpm"};
     if (options.methods != std::vector<std::string>{"all"}) return options.methods;
-    std::vector<std::string> all{"fpm", "strong"};
-    if (dim == 2) all.insert(all.end(), {"weak1", "weak2"});
-    if (has_cells) all.emplace_back("hats");
-    return all;
+    return names_of_methods([&](bodies::Method method) { return bodies::works(method, dim, has_cells); });
 }
 
 }  // namespace
@@ -214,17 +220,6 @@ template std::vector<Discretisation> discretisations(const BodyOptions&, const B
 template std::vector<Discretisation> discretisations(const BodyOptions&, const Body<3>&);
 
 namespace {
-
-/// The texts between marks.
-std::vector<std::string> parts(const std::string& text, char mark) {
-    std::vector<std::string> found(1);
-    for (const char letter : text)
-        if (letter == mark)
-            found.emplace_back();
-        else
-            found.back() += letter;
-    return found;
-}
 
 template <int dim>
 Point<dim> place(const Typed& typed, const std::string& text) {

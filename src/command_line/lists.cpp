@@ -13,8 +13,6 @@ namespace command_line {
 
 using base::InvalidInput;
 
-namespace {
-
 std::vector<std::string> parts(const std::string& text, char between) {
     std::vector<std::string> found{""};
     for (const char c : text)
@@ -24,6 +22,8 @@ std::vector<std::string> parts(const std::string& text, char between) {
             found.back() += c;
     return found;
 }
+
+namespace {
 
 /// The entries of a list, without the blanks around them. A comma may stand at the end.
 /// \throws InvalidInput where an entry is empty
@@ -37,16 +37,6 @@ std::vector<std::string> entries(const std::string& option, const std::string& l
                                " has an empty entry; leave the comma beside it out");
     }
     return found;
-}
-
-/// What `read` makes of a text, with the option in the message of what is refused.
-template <class Read>
-auto of_option(const std::string& option, const Read& read, const std::string& text) {
-    try {
-        return read(text);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(option + ": " + error.what());
-    }
 }
 
 /// The numbers from `from` to `to`. They are rounded, so that 2:0.1:4 holds 2.3 and not 2.3000000000000003.
@@ -86,11 +76,11 @@ void check_commas(const std::string& option, const std::string& list) {
 }  // namespace
 
 double number(const std::string& option, const std::string& text) {
-    return of_option(option, base::number, text);
+    return of_option(option, [&] { return base::number(text); });
 }
 
 long whole_number(const std::string& option, const std::string& text) {
-    return of_option(option, base::whole_number, text);
+    return of_option(option, [&] { return base::whole_number(text); });
 }
 
 std::vector<std::string> names(const std::string& option, const std::string& list) {

@@ -4,13 +4,28 @@
 #include <string>
 #include <vector>
 
+#include "base/errors.hpp"
+
 namespace command_line {
+
+/// What `read` returns, with the option in the message of what it refuses.
+template <class Read>
+decltype(auto) of_option(const std::string& option, const Read& read) {
+    try {
+        return read();
+    } catch (const base::InvalidInput& error) {
+        throw base::InvalidInput(option + ": " + error.what());
+    }
+}
 
 /// A number as base::number() reads it. \throws base::InvalidInput naming the option
 double number(const std::string& option, const std::string& text);
 
 /// A whole number as base::whole_number() reads it. \throws base::InvalidInput naming the option
 long whole_number(const std::string& option, const std::string& text);
+
+/// The texts between marks.
+std::vector<std::string> parts(const std::string& text, char between);
 
 /// The names of a list such as strong,weak1. A comma may stand at the end, and blanks around each name.
 /// \throws base::InvalidInput for an empty entry

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -111,9 +110,7 @@ std::vector<std::string> about_sides(const Problem<dim, n>& problem, const Body<
     for (const auto& side : body.sides) {
         const std::string name = bodies::is_unnamed(side.name) ? "the rest of the boundary" : side.name;
         sides += (sides.empty() ? "" : ", ") + name + " (" + std::to_string(side.places.size()) + ")";
-        const bool is_given = std::any_of(problem.given.begin(), problem.given.end(),
-                                          [&](const auto& one) { return one.side == side.name; });
-        if (!is_given) free += (free.empty() ? "" : ", ") + name;
+        if (problem.given_on(side) == nullptr) free += (free.empty() ? "" : ", ") + name;
     }
     return {"sides, with their particles: " + sides,
             std::string(n == 1 ? "insulated" : "free of loads") +

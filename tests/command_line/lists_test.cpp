@@ -53,6 +53,12 @@ TEST_CASE("lists: what is refused is shown, with how to write it") {
                          base::InvalidInput);
 }
 
+TEST_CASE("lists: parts are the texts between marks, empty ones too") {
+    using Texts = std::vector<std::string>;
+    CHECK(command_line::parts("0,1: 2 :", ':') == Texts{"0,1", " 2 ", ""});
+    CHECK(command_line::parts("", ',') == Texts{""});
+}
+
 TEST_CASE("lists: a pair of whole numbers") {
     CHECK(pair_of("--x", "16x4") == std::array<long, 2>{16, 4});
     for (const char* bad : {"16", "16x", "x4", "16x4x2", "1.5x2", "1e9x2", "axb"}) {
