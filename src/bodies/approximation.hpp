@@ -54,6 +54,17 @@ struct Weights {
     Offsets<double, second_derivatives<dim>> second;  ///< in the order of particles::monomials() [1/length²]
 };
 
+/// \f$\sum_J w_J u_J\f$ over some particles, for each column of weights w.
+/// \param u n unknowns of each particle \return a column of n for each of w
+template <int n, int columns>
+Eigen::Matrix<double, n, columns> combined(const std::vector<int>& particle,
+                                           const Offsets<double, columns>& w, const Eigen::VectorXd& u) {
+    Eigen::Matrix<double, n, columns> sum = Eigen::Matrix<double, n, columns>::Zero();
+    for (std::size_t J = 0; J < particle.size(); ++J)
+        sum += u.segment<n>(n * particle[J]) * w.row(static_cast<Index>(J)).matrix();
+    return sum;
+}
+
 /// Which derivatives are asked for.
 enum class Derivatives { first, second };
 

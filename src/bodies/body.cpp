@@ -15,9 +15,9 @@ const Side<dim>& side_named(const Body<dim>& body, const std::string& name) {
     std::string names;
     for (const Side<dim>& one : body.sides)
         if (!is_unnamed(one.name)) names += (names.empty() ? "" : ", ") + one.name;
-    throw base::InvalidInput("the body has no side " + base::quoted(name) +
-                             (names.empty() ? "; name its sides, as by Physical Curve in a drawing"
-                                            : "; its sides are " + names));
+    throw base::InvalidInput(
+        "the body has no side " + base::quoted(name) +
+        (names.empty() ? "; name its sides, as by Physical Curve in a drawing" : "; its sides are " + names));
 }
 
 template const Side<2>& side_named(const Body<2>&, const std::string&);

@@ -54,8 +54,7 @@ Row<n> equation_at(const Equation<dim, n>& equation, const std::vector<Condition
 }  // namespace
 
 template <int dim, int n>
-System collocated(const Problem<dim, n>& problem,
-                  const std::vector<std::vector<Condition<dim, n>>>& conditions,
+System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
                   const Approximation<dim>& approximation, Wanted wanted) {
     const Cloud<dim>& cloud = approximation.cloud();
     const Index N = cloud.size();
@@ -94,13 +93,9 @@ System collocated(const Problem<dim, n>& problem,
     return system;
 }
 
-template System collocated(const Problem<2, 1>&, const std::vector<std::vector<Condition<2, 1>>>&,
-                           const Approximation<2>&, Wanted);
-template System collocated(const Problem<3, 1>&, const std::vector<std::vector<Condition<3, 1>>>&,
-                           const Approximation<3>&, Wanted);
-template System collocated(const Problem<2, 2>&, const std::vector<std::vector<Condition<2, 2>>>&,
-                           const Approximation<2>&, Wanted);
-template System collocated(const Problem<3, 3>&, const std::vector<std::vector<Condition<3, 3>>>&,
-                           const Approximation<3>&, Wanted);
+template System collocated(const Problem<2, 1>&, const Conditions<2, 1>&, const Approximation<2>&, Wanted);
+template System collocated(const Problem<3, 1>&, const Conditions<3, 1>&, const Approximation<3>&, Wanted);
+template System collocated(const Problem<2, 2>&, const Conditions<2, 2>&, const Approximation<2>&, Wanted);
+template System collocated(const Problem<3, 3>&, const Conditions<3, 3>&, const Approximation<3>&, Wanted);
 
 }  // namespace bodies

@@ -9,8 +9,7 @@ namespace bodies {
 /// \eq{B3.12} to \eq{B3.14}.
 /// \param conditions of each particle, conditions()
 template <int dim, int n>
-System collocated(const Problem<dim, n>& problem,
-                  const std::vector<std::vector<Condition<dim, n>>>& conditions,
+System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
                   const Approximation<dim>& approximation, Wanted wanted = Wanted::solution);
 
 }  // namespace bodies

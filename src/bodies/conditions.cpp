@@ -172,8 +172,7 @@ void check(const Problem<dim, n>& problem, const Body<dim>& body) {
 }  // namespace
 
 template <int dim, int n>
-std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& problem,
-                                                       const Body<dim>& body) {
+Conditions<dim, n> conditions(const Problem<dim, n>& problem, const Body<dim>& body) {
     check(problem, body);
     std::vector<std::vector<Here<dim, n>>> met(static_cast<std::size_t>(body.x.cols()));
     for (const Side<dim>& side : body.sides) {
@@ -182,7 +181,7 @@ std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& pr
         for (const auto& [particle, normal] : side.places)
             met[static_cast<std::size_t>(particle)].push_back({given, &side.name, normal, from});
     }
-    std::vector<std::vector<Condition<dim, n>>> all(met.size());
+    Conditions<dim, n> all(met.size());
     for (std::size_t I = 0; I < met.size(); ++I) {
         std::vector<Here<dim, n>>& here = met[I];
         if (here.empty()) continue;
@@ -230,7 +229,7 @@ std::vector<std::vector<int>> parts(const Body<dim>& body) {
 /// A motion without strain that conditions leave free, in words; empty if there is none.
 template <int dim>
 std::string free_motion(const Body<dim>& body, const std::vector<int>& part,
-                        const std::vector<std::vector<Condition<dim, dim>>>& conditions) {
+                        const Conditions<dim, dim>& conditions) {
     constexpr int motions = dim * (dim + 1) / 2;
     using Motions = Eigen::Matrix<double, motions, 1>;
     Point<dim> centre = Point<dim>::Zero();
@@ -261,7 +260,7 @@ std::string free_motion(const Body<dim>& body, const std::vector<int>& part,
 
 template <int dim, int n>
 void require_held(const Problem<dim, n>& problem, const Body<dim>& body,
-                  const std::vector<std::vector<Condition<dim, n>>>& conditions) {
+                  const Conditions<dim, n>& conditions) {
     if (problem.equation.c != 0) return;
     for (const std::vector<int>& part : parts(body)) {
         const std::string where =
@@ -283,18 +282,14 @@ void require_held(const Problem<dim, n>& problem, const Body<dim>& body,
     }
 }
 
-template void require_held(const Problem<2, 1>&, const Body<2>&,
-                           const std::vector<std::vector<Condition<2, 1>>>&);
-template void require_held(const Problem<3, 1>&, const Body<3>&,
-                           const std::vector<std::vector<Condition<3, 1>>>&);
-template void require_held(const Problem<2, 2>&, const Body<2>&,
-                           const std::vector<std::vector<Condition<2, 2>>>&);
-template void require_held(const Problem<3, 3>&, const Body<3>&,
-                           const std::vector<std::vector<Condition<3, 3>>>&);
+template void require_held(const Problem<2, 1>&, const Body<2>&, const Conditions<2, 1>&);
+template void require_held(const Problem<3, 1>&, const Body<3>&, const Conditions<3, 1>&);
+template void require_held(const Problem<2, 2>&, const Body<2>&, const Conditions<2, 2>&);
+template void require_held(const Problem<3, 3>&, const Body<3>&, const Conditions<3, 3>&);
 
-template std::vector<std::vector<Condition<2, 1>>> conditions(const Problem<2, 1>&, const Body<2>&);
-template std::vector<std::vector<Condition<3, 1>>> conditions(const Problem<3, 1>&, const Body<3>&);
-template std::vector<std::vector<Condition<2, 2>>> conditions(const Problem<2, 2>&, const Body<2>&);
-template std::vector<std::vector<Condition<3, 3>>> conditions(const Problem<3, 3>&, const Body<3>&);
+template Conditions<2, 1> conditions(const Problem<2, 1>&, const Body<2>&);
+template Conditions<3, 1> conditions(const Problem<3, 1>&, const Body<3>&);
+template Conditions<2, 2> conditions(const Problem<2, 2>&, const Body<2>&);
+template Conditions<3, 3> conditions(const Problem<3, 3>&, const Body<3>&);
 
 }  // namespace bodies

@@ -6,8 +6,8 @@
 
 namespace bodies {
 
-/// One scalar condition at a boundary particle, along a direction d of the unknowns: \f$d\cdot u = g\f$, or of
-/// the load on a plane with normal n, \f$d\cdot t = g - a\,d\cdot u\f$.
+/// One scalar condition at a boundary particle, along a direction d of the unknowns: \f$d\cdot u = g\f$, or
+/// of the load on a plane with normal n, \f$d\cdot t = g - a\,d\cdot u\f$.
 template <int dim, int n>
 struct Condition {
     bool of_value;
@@ -19,6 +19,10 @@ struct Condition {
 };
 
 /// The conditions of each particle: n on the boundary, none inside.
+template <int dim, int n>
+using Conditions = std::vector<std::vector<Condition<dim, n>>>;
+
+/// The conditions that a problem makes at the particles of a body.
 ///
 /// At an edge or a corner several sides meet. A given value goes before a load; of two values, or of two
 /// loads, that of the side named first holds. The shear that a plane of symmetry excludes comes after loads
@@ -27,13 +31,12 @@ struct Condition {
 ///         component of which value and load are given
 /// \throws base::FailedComputation naming the particle and the side where a given function is not finite
 template <int dim, int n>
-std::vector<std::vector<Condition<dim, n>>> conditions(const Problem<dim, n>& problem, const Body<dim>& body);
+Conditions<dim, n> conditions(const Problem<dim, n>& problem, const Body<dim>& body);
 
 /// Refuses a problem whose body can move as a whole, or a scalar that is known up to a constant.
-/// \param conditions of each particle
 /// \throws base::InvalidInput naming the motion
 template <int dim, int n>
 void require_held(const Problem<dim, n>& problem, const Body<dim>& body,
-                  const std::vector<std::vector<Condition<dim, n>>>& conditions);
+                  const Conditions<dim, n>& conditions);
 
 }  // namespace bodies

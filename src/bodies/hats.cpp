@@ -115,14 +115,17 @@ Hats<dim, n>::Hats(const Problem<dim, n>& problem, const Body<dim>& body,
 
 template <int dim, int n>
 typename Hats<dim, n>::Trial Hats<dim, n>::of_particles() const {
-    return {[this](const auto&, const Point<dim>& x) { return approximation_.at(x); },
+    return {[this](int c) {
+                return approximation_.at(centre<dim>(body_.x, body_.cells[static_cast<std::size_t>(c)]));
+            },
             [this](const auto&, const Point<dim>& x) { return approximation_.at(x); },
             [this](Index I) { return approximation_.at_particle(I, Derivatives::first); }};
 }
 
 template <int dim, int n>
 typename Hats<dim, n>::Trial Hats<dim, n>::linear() const {
-    const auto on_cell = [this](std::array<int, dim + 1> cell, const Point<dim>&) {
+    const auto on_cell = [this](int c) {
+        auto cell = body_.cells[static_cast<std::size_t>(c)];
         std::sort(cell.begin(), cell.end());
         return Weights<dim>{{cell.begin(), cell.end()},
                             Column<double>::Constant(dim + 1, 1.0 / (dim + 1)),
@@ -145,10 +148,7 @@ std::vector<int> Hats<dim, n>::near(Index I, const Trial& trial) const {
     const auto append = [&all](const Weights<dim>& at) {
         all.insert(all.end(), at.particle.begin(), at.particle.end());
     };
-    for (const int c : cells_of_[static_cast<std::size_t>(I)]) {
-        const auto& cell = body_.cells[static_cast<std::size_t>(c)];
-        append(trial.on_cell(cell, centre<dim>(body_.x, cell)));
-    }
+    for (const int c : cells_of_[static_cast<std::size_t>(I)]) append(trial.on_cell(c));
     for (const int f : facets_of_[static_cast<std::size_t>(I)]) {
         const Facet& facet = facets_[static_cast<std::size_t>(f)];
         if (!facet.given->exchange) continue;
@@ -172,7 +172,7 @@ typename Hats<dim, n>::Equations Hats<dim, n>::equations(Index I, const std::vec
         const Point<dim> x = centre<dim>(body_.x, cell);
         const auto [gradient, size] = simplex<dim>(body_.x, cell);
         const Index own = std::find(cell.begin(), cell.end(), I) - cell.begin();
-        const Weights<dim> at = trial.on_cell(cell, x);
+        const Weights<dim> at = trial.on_cell(c);
         const auto A = problem_.equation.A(x);
         const double share = size / (dim + 1);
         all.f += share * source(problem_.equation, x);
@@ -206,9 +206,13 @@ typename Hats<dim, n>::Equations Hats<dim, n>::equations(Index I, const std::vec
 }
 
 template <int dim, int n>
-System Hats<dim, n>::system(const Trial& trial, const std::vector<std::vector<Condition<dim, n>>>& conditions,
-                            Wanted wanted) const {
+System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted) const {
     const Index N = body_.x.cols();
+    std::vector<Weights<dim>> on_cell(body_.cells.size());
+    base::for_each_index(static_cast<Index>(on_cell.size()), [&](Index c) {
+        on_cell[static_cast<std::size_t>(c)] = trial.on_cell(static_cast<int>(c));
+    });
+    trial.on_cell = [&](int c) { return on_cell[static_cast<std::size_t>(c)]; };
     std::vector<std::vector<int>> all_near(static_cast<std::size_t>(N));
     base::for_each_index(N, [&](Index I) { all_near[static_cast<std::size_t>(I)] = near(I, trial); });
     System system = empty_system<n>(all_near, wanted);
@@ -242,8 +246,7 @@ System Hats<dim, n>::system(const Trial& trial, const std::vector<std::vector<Co
 }
 
 template <int dim, int n>
-System Hats<dim, n>::system(const std::vector<std::vector<Condition<dim, n>>>& conditions,
-                            Wanted wanted) const {
+System Hats<dim, n>::system(const Conditions<dim, n>& conditions, Wanted wanted) const {
     System all = system(of_particles(), conditions, wanted);
     if (n * body_.x.cols() > solvers::small_system)
         all.nearest = system(linear(), conditions, Wanted::solution).A;

@@ -27,8 +27,7 @@ class Hats {
     Hats(const Problem<dim, n>& problem, const Body<dim>& body, const Approximation<dim>& approximation);
 
     /// The equations, with a preconditioner if they are many: those of linear elements on the same cells.
-    [[nodiscard]] System system(const std::vector<std::vector<Condition<dim, n>>>& conditions,
-                                Wanted wanted = Wanted::solution) const;
+    [[nodiscard]] System system(const Conditions<dim, n>& conditions, Wanted wanted = Wanted::solution) const;
 
     /// What the equation of a particle leaves: where values are given, the reaction. [force]
     [[nodiscard]] Values<n> residual(Index particle, const Eigen::VectorXd& u) const;
@@ -36,7 +35,7 @@ class Hats {
   private:
     /// Weights of the function, and on a cell of its gradient.
     struct Trial {
-        std::function<Weights<dim>(const std::array<int, dim + 1>& cell, const Point<dim>& x)> on_cell;
+        std::function<Weights<dim>(int cell)> on_cell;  ///< at its centre
         std::function<Weights<dim>(const std::array<int, dim>& facet, const Point<dim>& x)> on_facet;
         std::function<Weights<dim>(Index)> at_particle;
     };
@@ -57,9 +56,7 @@ class Hats {
     [[nodiscard]] Trial linear() const;
     [[nodiscard]] std::vector<int> near(Index I, const Trial& trial) const;
     [[nodiscard]] Equations equations(Index I, const std::vector<int>& near, const Trial& trial) const;
-    [[nodiscard]] System system(const Trial& trial,
-                                const std::vector<std::vector<Condition<dim, n>>>& conditions,
-                                Wanted wanted) const;
+    [[nodiscard]] System system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted) const;
 
     const Problem<dim, n>& problem_;
     const Body<dim>& body_;

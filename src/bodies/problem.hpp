@@ -30,7 +30,7 @@ using Load = std::function<Values<n>(const Point<dim>& x, const Point<dim>& norm
 /// | | n | F | A |
 /// | --- | --- | --- | --- |
 /// | elasticity | dim | stress | Hooke's law, elasticity() |
-/// | Poisson's equation, heat | 1 | minus the heat flux, \f$k\nabla u\f$ | k times the unit matrix, diffusion() |
+/// | Poisson's equation, heat | 1 | minus the heat flux, \f$k\nabla u\f$ | k times unity, diffusion() |
 ///
 /// The pair of indices ia is the row dim·i + a of a matrix.
 template <int dim, int n>

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "bodies/approximation.hpp"
-#include "bodies/problem.hpp"
-#include "particles/quality.hpp"
+#include "bodies/conditions.hpp"
 
 namespace bodies {
 
@@ -14,10 +11,11 @@ namespace bodies {
 template <int dim, int n>
 struct Solution {
     Approximation<dim> approximation;
-    Eigen::VectorXd u;   ///< n unknowns of each particle, neighbours of one another
-    Column<double> R{};  ///< quality number of each particle's derivatives
-    double quality = 0;  ///< R of the worst row, particles::quality()
-    Index worst = 0;     ///< its particle
+    Conditions<dim, n> conditions;  ///< of each particle
+    Column<double> R;               ///< quality number of each particle's derivatives, particles::quality()
+    double quality;                 ///< R of the worst row
+    Index worst;                    ///< its particle
+    Eigen::VectorXd u;              ///< n unknowns of each particle, neighbours of one another
 };
 
 /// Hats of degree 3 take monomials of degree 2 where the neighbours determine more badly; the solution tells,
@@ -27,8 +25,8 @@ struct Solution {
 template <int dim, int n>
 Solution<dim, n> solve(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how);
 
-/// The unknown functions at a place, with \f$\partial_b u_j\f$ and \f$F_{ia}\f$ (stress, or k∇u) as n × dim
-/// matrices.
+/// The unknown functions at a place, with \f$\partial_b u_j\f$ and \f$F_{ia}\f$ (stress, or k∇u) as matrices,
+/// n × dim.
 template <int dim, int n>
 struct State {
     Values<n> u;
@@ -44,35 +42,8 @@ template <int dim>
 double von_mises(const Eigen::Matrix<double, dim, dim>& stress,
                  const batra2008::elastostatics::Material& material);
 
-/// What acts on a body, each side by itself. [force, in the plane for each unit of thickness; or heat]
-template <int n>
-struct Balance {
-    std::vector<std::pair<std::string, Values<n>>> loads;      ///< given, by side
-    std::vector<std::pair<std::string, Values<n>>> reactions;  ///< of given values, by side
-    Values<n> volume;  ///< of the body force or the source, less the reaction c u
-    /// What is left of the sum, over half of the sizes: of the loads as an integral, and of the reactions. Those
-    /// of a scalar, and those of a body without loads, are integrals, too, since they may cancel on a side.
-    double defect;
-};
-
-/// The loads and the reactions. Those of `hats` are what the equations of the particles leave, in equilibrium
-/// with the loads to the last bit; those of the other methods are integrals of the solution's own load
-/// \f$F n\f$ over the sides with given values, and their defect tells whether the stresses can be trusted.
-template <int dim, int n>
-Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
-
-/// How far the solution's own load \f$F n\f$ is from the given one, zero on free sides: root mean squares over
-/// the boundary, relative to that of F. It shows stresses that are wrong where displacements are right, as in
-/// a material that is nearly incompressible.
-template <int dim, int n>
-double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
-
-/// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
-template <int dim, int n>
-double noise(const Solution<dim, n>& solution);
-
-/// The lowest eigenvalues λ of \f$-\sum_a\partial_a F_{ia} + c\,u_i = \lambda\,u_i\f$ under the conditions of
-/// the problem with all given values and loads zero, in increasing order.
+/// The lowest eigenvalues λ of \f$-\sum_a\partial_a F_{ia} + c\,u_i = \lambda\,u_i\f$ under the conditions
+/// of the problem with all given values and loads zero, in increasing order.
 /// \throws base::FailedComputation where the iteration does not converge or an eigenvalue is not real
 template <int dim, int n>
 std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>& body,

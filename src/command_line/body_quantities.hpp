@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bodies/field_file.hpp"
-#include "bodies/solution.hpp"
+#include "bodies/judgement.hpp"
 #include "report/table.hpp"
 
 namespace command_line {

@@ -1,0 +1,163 @@
+#include "bodies/judgement.hpp"
+
+#include <doctest/doctest.h>
+
+#include "bodies/mesh.hpp"
+#include "tests/bodies.hpp"
+#include "tests/relative.hpp"
+#include "tests/ring.hpp"
+
+using namespace bodies;
+using batra2008::elastostatics::Plane;
+using support::block;
+using support::inner;
+using support::lame;
+using support::pressure;
+using support::quarter_ring;
+using support::relative;
+
+namespace {
+
+Discretisation by(Method method) {
+    Discretisation how;
+    how.method = method;
+    return how;
+}
+
+const auto zero = [](const Point<2>&) { return 0.0; };
+
+/// The unit square with (n + 1)² particles and one side.
+Body<2> square(int n) {
+    Mesh<2> mesh{Points<2>(2, (n + 1) * (n + 1)), {}, {}};
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) mesh.x.col(j * (n + 1) + i) = Point<2>(i, j) / n;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const int a = j * (n + 1) + i, c = a + n + 1;
+            mesh.cells.push_back({a, a + 1, c + 1});
+            mesh.cells.push_back({a, c + 1, c});
+        }
+    return body_of(mesh);
+}
+
+template <int n>
+Values<n> on(const std::vector<std::pair<std::string, Values<n>>>& all, const std::string& side) {
+    for (const auto& [name, value] : all)
+        if (name == side) return value;
+    FAIL("nothing acts on ", side);
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("judgement: planes of symmetry carry the pressure within a ring, to the last bit by hats") {
+    const auto problem = lame();
+    const auto error = [&](int n, Method method) {
+        INFO(name(method), " ", n);
+        const Body<2> body = quarter_ring(n);
+        const auto solution = solve(problem, body, by(method));
+        const auto found = balance(problem, body, solution);
+        CHECK((on(found.loads, "left") - pressure * inner * Values<2>::Ones()).norm() < 1e-9);
+        CHECK(found.volume.norm() == 0);
+        const double reaction =
+            (on(found.reactions, "bottom") + pressure * inner * Values<2>::UnitY()).norm() +
+            (on(found.reactions, "top") + pressure * inner * Values<2>::UnitX()).norm();
+        CHECK(found.defect <= reaction / pressure);
+        return reaction / pressure;
+    };
+    CHECK(error(8, Method::hats) < 1e-9);
+    for (const Method method : {Method::fpm, Method::strong}) {
+        CHECK(error(16, method) < error(8, method) / 2.5);
+    }
+}
+
+TEST_CASE("judgement: a heated square loses its source through the sides that are cooled") {
+    const Body<2> square = block<2>({{12, 12}, 0.15, 1});
+    Problem<2, 1> problem{diffusion<2>([](const Point<2>&) { return 2.0; })};
+    problem.equation.b = [](const Point<2>&) { return Values<1>(6); };
+    problem.given = {{"left", {zero}}, {"right"}};
+    problem.given[1].exchange = [](const Point<2>&) { return 4.0; };
+    problem.given[1].surroundings = [](const Point<2>&) { return 0.0; };
+    // u = x (q - 3 x / 2), where the flux 2 (3 - q) at the right is 4 (q - 3/2)
+    constexpr double q = 2;
+    for (const Method method : {Method::hats, Method::fpm, Method::strong}) {
+        INFO(name(method));
+        const auto solution = solve(problem, square, by(method));
+        const auto found = balance(problem, square, solution);
+        CHECK(found.volume[0] == relative(6, 1e-12));
+        CHECK(found.defect < (method == Method::hats ? 1e-10 : 1e-8));
+        CHECK(on(found.reactions, "left")[0] == relative(-2 * q, 0.01));
+        CHECK(on(found.loads, "right")[0] == relative(-4 * (q - 1.5), 0.01));
+        CHECK(state_at(problem, solution, {0.5, 0.5}).u[0] == relative(0.5 * (q - 0.75), 0.01));
+    }
+}
+
+TEST_CASE("judgement: a field that is a polynomial of the basis has no noise") {
+    const Body<2> body = block<2>({{8, 8}, 0.2, 1});
+    const support::Manufactured<2, 2> exact(elasticity<2>({2, 0.3}), 2, 3);
+    const auto problem = exact.problem(body, {"left"});
+    CHECK(noise(solve(problem, body, by(Method::strong))) < 1e-8);
+}
+
+TEST_CASE(
+    "judgement: the loads that stresses miss vanish with the cells, and are none of a body that only moves") {
+    const auto problem = lame();
+    const auto missed = [&](int n) {
+        const Body<2> body = quarter_ring(n);
+        return missed_loads(problem, body, solve(problem, body, by(Method::hats)));
+    };
+    CHECK(missed(8) > 2 * missed(16));
+    CHECK(missed(16) < 0.03);
+
+    const Body<2> body = block<2>({{8, 8}});
+    Problem<2, 2> shifted{elasticity<2>({2, 0.3})};
+    shifted.given = {{"left", {[](const Point<2>&) { return 3.0; }, [](const Point<2>&) { return -1.0; }}}};
+    CHECK(missed_loads(shifted, body, solve(shifted, body, by(Method::hats))) == 0);
+}
+
+TEST_CASE("judgement: a load that is off by a known amount on one side misses that amount") {
+    const Body<2> body = block<2>({{8, 8}, 0.15, 1});
+    const support::Manufactured<2, 2> exact(elasticity<2>({2, 0.3}), 1, 3);
+    Problem<2, 2> problem = exact.problem(body, {"left"});
+    for (const Method method : {Method::hats, Method::strong}) {
+        const auto solution = solve(problem, body, by(method));
+        CHECK(missed_loads(problem, body, solution) < 1e-9);
+        const auto F = state_at(problem, solution, {0.5, 0.5}).F;
+        Problem<2, 2> other = problem;
+        for (auto& given : other.given)
+            if (given.side == "right")
+                given.loads.push_back([](const Point<2>&, const Point<2>&) { return Values<2>(0.3, -0.4); });
+        CHECK(missed_loads(other, body, solution) == relative(0.5 / (2 * F.norm()), 1e-9));
+    }
+}
+
+TEST_CASE(
+    "judgement: a material that hardly changes its volume misses loads where its displacements are right") {
+    const Body<2> body = quarter_ring(8);
+    const auto missed = [&](double nu) {
+        Problem<2, 2> problem = lame();
+        problem.equation = elasticity<2>({1, nu, Plane::strain});
+        return missed_loads(problem, body, solve(problem, body, by(Method::hats)));
+    };
+    CHECK(missed(0.4999) > 5 * missed(0.3));
+}
+
+TEST_CASE("judgement: reactions that cancel on the one side of a body have a defect of round-off") {
+    const Body<2> body = square(8);
+    Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 1.0; })};
+    Given<2, 1> warm;
+    warm.side = "boundary";
+    warm.value = {[](const Point<2>& x) { return 1 + 2 * x[0]; }};
+    heat.given.push_back(warm);
+    Problem<2, 2> stretched{elasticity<2>({1, 0.3})};
+    Given<2, 2> pulled;
+    pulled.side = "boundary";
+    pulled.value = {[](const Point<2>& x) { return x[0]; }, [](const Point<2>& x) { return x[1]; }};
+    stretched.given.push_back(pulled);
+    for (const Method method : {Method::hats, Method::strong, Method::fpm}) {
+        Discretisation how;
+        how.method = method;
+        CHECK(balance(heat, body, solve(heat, body, how)).defect < 1e-9);
+        CHECK(balance(stretched, body, solve(stretched, body, how)).defect < 1e-9);
+    }
+}
