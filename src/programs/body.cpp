@@ -14,6 +14,7 @@
 #include "command_line/body_quantities.hpp"
 #include "command_line/options.hpp"
 #include "command_line/progress.hpp"
+#include "command_line/sweep.hpp"
 #include "meshes/gmsh.hpp"
 
 namespace {
@@ -58,6 +59,14 @@ template <int dim>
 struct Found {
     std::vector<Quantity<dim>> quantities;
     std::vector<std::string> remarks;
+};
+
+/// A method on each cloud, up to that on which it fails.
+template <int dim>
+struct Results {
+    Discretisation how;
+    std::vector<Found<dim>> clouds{};
+    std::optional<command_line::Failure> failure{};
 };
 
 /// The lowest eigenvalues.
@@ -130,20 +139,27 @@ class BodyTable {
     void add(const Body<dim>& body, bool finest, command_line::Progress& progress) {
         command_line::require_inside(body, places_);
         const auto problem = command_line::problem<dim, n>(options_.problem, body);
-        methods_ = command_line::discretisations(options_, body);
-        found_.resize(methods_.size());
+        const auto methods = command_line::discretisations(options_, body);
+        results_.resize(methods.size());
         particles_.push_back(body.x.cols());
-        for (std::size_t k = 0; k < methods_.size(); ++k) {
-            found_[k].push_back(options_.modes > 0 ? modes(options_, problem, body, methods_[k])
-                                                   : solved(problem, body, methods_[k], finest));
+        for (std::size_t k = 0; k < methods.size(); ++k) {
+            auto& [how, clouds, failure] = results_[k];
+            how = methods[k];
+            if (!failure)
+                failure = command_line::failure_of([&] {
+                    clouds.push_back(options_.modes > 0 ? modes(options_, problem, body, how)
+                                                        : solved(problem, body, how, finest));
+                });
             progress.step();
         }
         if (!finest) return;
         sides_ = about_sides(problem, body);
-        if (!options_.field.empty()) bodies::write_field(options_.field, body, fields_, comments(body));
+        if (!fields_.empty()) bodies::write_field(options_.field, body, fields_, comments(body));
         comments_ = comments(body);
     }
 
+    /// The rows of all methods; of one that failed, a row that says why.
+    /// \throws base::InvalidInput or base::FailedComputation where all failed
     [[nodiscard]] report::Table table(const std::vector<std::string>& notes) const {
         report::Table table{comments_, columns<dim>(), {}};
         table.comments.insert(table.comments.end(), notes.begin(), notes.end());
@@ -152,16 +168,24 @@ class BodyTable {
             table.columns.insert(
                 table.columns.end(),
                 {{"order", {1e-3, 0}}, {"extrapolated", {1e-6, 0}}, {"uncertainty", {1e-3, 0}}});
-        for (std::size_t k = 0; k < methods_.size(); ++k) {
-            const Found<dim>& last = found_[k].back();
-            table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
-            for (std::size_t q = 0; q < last.quantities.size(); ++q) {
-                auto cells = row(bodies::name(methods_[k].method), particles_.back(), last.quantities[q]);
-                const auto more = refined ? limit(found_[k], q) : std::vector<Cell>();
-                cells.insert(cells.end(), more.begin(), more.end());
-                table.rows.push_back(cells);
+        command_line::Sweep sweep(table, 1);
+        for (const auto& [how, clouds, failure] : results_) {
+            const std::string method = bodies::name(how.method);
+            if (failure) {
+                sweep.add_failed({method, static_cast<long>(particles_[clouds.size()])}, *failure);
+                continue;
             }
+            const Found<dim>& last = clouds.back();
+            table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
+            std::vector<std::vector<Cell>> rows;
+            for (std::size_t q = 0; q < last.quantities.size(); ++q) {
+                rows.push_back(row(method, particles_.back(), last.quantities[q]));
+                const auto more = refined ? limit(clouds, q) : std::vector<Cell>();
+                rows.back().insert(rows.back().end(), more.begin(), more.end());
+            }
+            sweep.add(rows);
         }
+        sweep.finish();
         return table;
     }
 
@@ -216,7 +240,7 @@ class BodyTable {
                                     shown(noise, 3) + ", where " +
                                     shown(batra2008::example_problems::most_noise) + " is the most)");
         if (!options_.field.empty()) {
-            const std::string suffix = methods_.size() > 1 ? "_" + method : "";
+            const std::string suffix = results_.size() > 1 ? "_" + method : "";
             for (auto& field : command_line::fields(all, suffix)) fields_.push_back(std::move(field));
         }
         if (!options_.figure.path.empty()) options_.figure.table = command_line::drawing(all);
@@ -252,8 +276,7 @@ class BodyTable {
     BodyOptions& options_;
     std::vector<Point<dim>> places_;
     batra2008::elastostatics::Material material_;
-    std::vector<Discretisation> methods_;
-    std::vector<std::vector<Found<dim>>> found_;  // by method, then by cloud
+    std::vector<Results<dim>> results_;  // of each method
     std::vector<Index> particles_;
     std::vector<std::string> sides_, comments_;
     std::vector<bodies::NamedField> fields_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -180,6 +181,37 @@ TEST_CASE("body: files of the field and a drawing, the same on any number of thr
     for (const char* name : {"\"u\"", "\"s12\"", "\"von_mises\""})
         CHECK(grid.find(name) != std::string::npos);
     CHECK(report::read_whole(drawing.folder.path + "/a.svg").find("von Mises") != std::string::npos);
+}
+
+TEST_CASE("body: a method that fails has a row that says why, and the others their numbers") {
+    const programs::Folder folder;
+    const std::string field = folder.path + "/f.csv";
+    const auto [code, output, errors] =
+        run("body --mesh examples/bodies/bracket.geo --size 5e-3 --young 210e9 --poisson 0.3 --fix wall "
+            "--traction 'tip: 0, -1e6' --method strong,hats --field " +
+            field);
+    CHECK(code == 1);
+    CHECK(errors.starts_with("body: 1 of 2 cases failed, as the table's last column says; method strong: "));
+    CHECK(std::count(errors.begin(), errors.end(), '\n') == 1);
+    const auto table = report::parsed(output);
+    CHECK(table.word(0, "method") == "strong");
+    CHECK(table.word(0, "quantity").empty());
+    CHECK(table.word(0, "failure").starts_with("loads and reactions leave a defect of "));
+    CHECK(number(table, "hats", "defect") < 1e-9);
+    const std::string fields = report::read_whole(field);
+    CHECK(fields.find("_hats") != std::string::npos);
+    CHECK(fields.find("strong") == std::string::npos);
+}
+
+TEST_CASE("body: where all methods fail there is one line, no output and no field") {
+    const programs::Folder folder;
+    const std::string field = folder.path + "/f.csv";
+    programs::check_refused(
+        "body --mesh examples/bodies/bracket.geo --size 5e-3 --young 210e9 --poisson 0.3 --fix wall "
+        "--traction 'tip: 0, -1e6' --method strong,weak1 --field " +
+            field,
+        1, "none of the 2 cases can be computed; method strong: ");
+    CHECK_FALSE(std::filesystem::exists(field));
 }
 
 TEST_CASE("body: particles and sides from files, without cells") {
