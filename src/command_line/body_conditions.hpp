@@ -39,10 +39,8 @@ double largest_coefficient(const TypedProblem& typed, const bodies::Body<dim>& b
 
 /// The problem on a body: elasticity for n = dim, a scalar for n = 1. Tractions and pressures on a side add.
 /// All functions are evaluated at the particles where they hold.
-/// \throws base::InvalidInput naming the option and the side: for a text that cannot be read, a side that the
-///         body does not have, another number of components, a component that is given twice or carries a
-///         load beside its value, a function that is not finite, with the place, and a conductivity that is
-///         not positive
+/// \throws base::InvalidInput as given_on_sides() and corner(), for functions that are not finite at a
+///         particle, and for a conductivity that is not positive
 template <int dim, int n>
 bodies::Problem<dim, n> problem(const TypedProblem& typed, const bodies::Body<dim>& body);
 

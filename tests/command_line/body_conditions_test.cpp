@@ -161,6 +161,23 @@ TEST_CASE("body: a corner takes each component from one of two sides") {
     }
 }
 
+TEST_CASE("body: names of sides may hold colons and pluses") {
+    auto body = box<2>();
+    body.sides[0].name = "a:b";
+    body.sides[1].name = "a";
+    body.sides[2].name = "c+d: e";
+    TypedProblem typed = steel({{"--traction", "a:b: 0, 1"}, {"--fix", "a"}, {"--traction", "c+d: e: 0, 1"}});
+    typed.corners = {{"--corner", "a:b+c+d: e: a:b, c+d: e"}};
+    const auto found = problem<2, 2>(typed, body);
+    REQUIRE(found.given.size() == 3);
+    CHECK(found.given[0].side == "a:b");
+    CHECK(found.given[1].side == "a");
+    CHECK(found.given[2].side == "c+d: e");
+    REQUIRE(found.corners.size() == 1);
+    CHECK(found.corners[0].sides == std::array<std::string, 2>{"a:b", "c+d: e"});
+    CHECK(found.corners[0].by_component == std::vector<std::string>{"a:b", "c+d: e"});
+}
+
 TEST_CASE("body: what is given twice, or beside a load, is refused with what to leave out") {
     for (
         const auto& [conditions, reason] : std::vector<std::pair<std::vector<Typed>, std::string>>{
