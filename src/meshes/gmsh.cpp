@@ -1,26 +1,19 @@
 #include "meshes/gmsh.hpp"
 
-#include <fcntl.h>
 #include <gmsh.h>
-#include <omp.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <iostream>
 #include <unordered_map>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "bodies/mesh.hpp"
+#include "meshes/drawing.hpp"
+#include "meshes/session.hpp"
 
 namespace meshes {
 
@@ -32,100 +25,6 @@ using particles::Index;
 using particles::Point;
 
 namespace {
-
-constexpr double most_particles = 5e6;
-
-/// Gmsh's numbers of the ways to mesh that give even cells of the size asked for.
-constexpr int frontal_delaunay = 6, delaunay = 1;
-
-/// The file that Gmsh runs as a script: the command Exit in it ends the program.
-std::string running;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-
-void say_where_it_ended() {
-    if (running.empty()) return;
-    std::cerr << running << " says Exit, which ends the program that reads it; remove that line\n";
-    std::_Exit(2);
-}
-
-/// Keeps what libraries say on the standard output away from it, where a table goes.
-class Quiet {
-  public:
-    Quiet() : output_((std::fflush(stdout), dup(STDOUT_FILENO))) {
-        const int nowhere = open("/dev/null", O_WRONLY);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-        dup2(nowhere, STDOUT_FILENO);
-        close(nowhere);
-    }
-    ~Quiet() {
-        std::fflush(stdout);
-        dup2(output_, STDOUT_FILENO);
-        close(output_);
-    }
-    Quiet(const Quiet&) = delete;
-    Quiet& operator=(const Quiet&) = delete;
-
-  private:
-    int output_;
-};
-
-/// Gmsh without anything of an earlier file, silent and on one thread.
-class Session {
-  public:
-    explicit Session(std::string path) : path_(std::move(path)), threads_(omp_get_max_threads()) {
-        static const int registered = std::atexit(say_where_it_ended);
-        static_cast<void>(registered);
-        gmsh::initialize(0, nullptr, false);
-        be_silent();
-        gmsh::logger::start();
-    }
-    ~Session() {
-        gmsh::logger::stop();
-        gmsh::finalize();
-        omp_set_num_threads(threads_);
-    }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-
-    void open() const {
-        running = path_;
-        gmsh::open(path_);
-        running.clear();
-        be_silent();  // whatever a script says
-        check("Gmsh cannot read it");
-    }
-
-    /// \throws InvalidInput with the first error of Gmsh's, if there is one
-    void check(const std::string& what) const {
-        std::vector<std::string> lines;
-        gmsh::logger::get(lines);
-        for (const std::string& line : lines)
-            for (const std::string label : {"Error: ", "Fatal: "})
-                if (line.starts_with(label))
-                    throw InvalidInput(path_ + ": " + what + ": " + line.substr(label.size()) +
-                                       "; mend it there, gmsh " + path_ + " shows it");
-    }
-
-  private:
-    static void be_silent() {
-        gmsh::option::setNumber("General.Terminal", 0);
-        gmsh::option::setNumber("General.AbortOnError", 0);
-        gmsh::option::setNumber("General.NumThreads", 1);
-    }
-
-    std::string path_;
-    int threads_;
-};
-
-/// \throws InvalidInput for a file that is none, or not to be read
-void check_file(const std::string& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-        throw InvalidInput(path + " is a folder; name a file in it");
-    if (std::FILE* const file = std::fopen(path.c_str(), "r")) {
-        std::fclose(file);
-        return;
-    }
-    throw InvalidInput("cannot read " + path + ": " + std::strerror(errno));
-}
 
 gmsh::vectorpair entities(int dim) {
     gmsh::vectorpair all;
@@ -190,88 +89,6 @@ std::string in_words(const std::vector<std::string>& names) {
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
     return text;
 }
-
-/// Corners of the bounding box of all that is drawn.
-std::array<Point<3>, 2> bounding_box() {
-    std::array<Point<3>, 2> box;
-    gmsh::model::getBoundingBox(-1, -1, box[0][0], box[0][1], box[0][2], box[1][0], box[1][1], box[1][2]);
-    return box;
-}
-
-/// Meshes of a drawing.
-class Drawing {
-  public:
-    explicit Drawing(int dim) : dim_(dim) {
-        for (const auto& [option, value] : {std::pair{"Algorithm", frontal_delaunay},
-                                            {"Algorithm3D", delaunay},
-                                            {"ElementOrder", 1},
-                                            {"RecombineAll", 0},
-                                            {"Recombine3DAll", 0},
-                                            {"SubdivisionAlgorithm", 0}})
-            gmsh::option::setNumber("Mesh." + std::string(option), value);
-        const auto [low, high] = bounding_box();
-        extent_ = high - low;
-    }
-
-    /// \throws InvalidInput for a size with too many particles
-    void set_size(double size) const {
-        for (const std::string option : {"FromPoints", "FromCurvature", "ExtendFromBoundary"})
-            gmsh::option::setNumber("Mesh.MeshSize" + option, 0);
-        gmsh::option::setNumber("Mesh.MeshSizeFactor", 1);
-        gmsh::model::mesh::removeConstraints();
-        double particles = count(box_content(), size);
-        if (particles > most_particles) {  // perhaps the box is nearly empty
-            const double coarse = extent_.maxCoeff() / 20;
-            bound_sizes(coarse);
-            gmsh::model::mesh::generate(dim_);
-            particles = count(content(), size);
-            gmsh::model::mesh::clear();
-        }
-        if (particles > most_particles)
-            throw InvalidInput("--size " + shown(size) + " gives about " + shown(particles, 2) +
-                               " particles, more than 5 million; take " +
-                               shown(size * std::pow(particles / most_particles, 1.0 / dim_) * 1.1, 2));
-        bound_sizes(size);
-    }
-
-    void mesh() const {
-        gmsh::model::mesh::clear();
-        gmsh::model::mesh::generate(dim_);
-    }
-
-  private:
-    /// The nodes of a mesh of equilateral triangles, or of the tetrahedra that fill space best.
-    [[nodiscard]] double count(double content, double size) const {
-        return content / std::pow(size, dim_) * (dim_ == 2 ? 2 / std::sqrt(3.0) : std::sqrt(2.0));
-    }
-
-    [[nodiscard]] double box_content() const { return dim_ == 2 ? extent_[0] * extent_[1] : extent_.prod(); }
-
-    static void bound_sizes(double size) {
-        gmsh::option::setNumber("Mesh.MeshSizeMin", size);
-        gmsh::option::setNumber("Mesh.MeshSizeMax", size);
-    }
-
-    /// Area or volume of the cells.
-    [[nodiscard]] double content() const {
-        double sum = 0;
-        for (const auto& [dim, tag] : entities(dim_)) {
-            std::vector<int> types;
-            gmsh::model::mesh::getElementTypes(types, dim, tag);
-            for (const int type : types) {
-                const std::vector<double> corner{0, 0, 0};
-                std::vector<double> jacobians, determinants, x;
-                gmsh::model::mesh::getJacobians(type, corner, jacobians, determinants, x, tag);
-                for (const double determinant : determinants)
-                    sum += std::abs(determinant) / (dim == 2 ? 2 : 6);
-            }
-        }
-        return sum;
-    }
-
-    int dim_;
-    Point<3> extent_;
-};
 
 /// A tangent of a circle, the derivative of the polynomial through five places from here on: exact to
 /// round-off, where Gmsh's own derivative is exact to 1e-8.
