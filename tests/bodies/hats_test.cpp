@@ -125,7 +125,7 @@ TEST_CASE("hats: displacements and values on curved bodies converge with the squ
     };
     CHECK(order(displacement, 12, 24) > 1.7);
     CHECK(order(value, 12, 24) > 1.7);
-    CHECK(order(value_in_space, 10, 14) > 1.6);
+    CHECK(order(value_in_space, 6, 12) > 1.7);
 }
 
 TEST_CASE("hats: convection and a reaction leave a linear temperature exact") {
