@@ -68,7 +68,6 @@ void check_numbers(const CloudOptions& options, bool grid) {
     if (!(std::isfinite(options.smoothing) && options.smoothing > 0))
         throw InvalidInput("--smoothing must be positive and finite, got " + shown(options.smoothing));
     static_cast<void>(cut_of(options));
-    static_cast<void>(formulations_of(options));
     for (const double a : options.perturbations)
         if (!(a >= 0 && a < 0.5)) throw InvalidInput("--perturb must lie in [0, 1/2), got " + shown(a));
     for (const long n : options.particles) {
@@ -129,6 +128,29 @@ Placed<dim> all_of(const std::string& layout, const particles::Points<dim>& x) {
 
 }  // namespace
 
+void add_draw_options(CommandLine& app, CloudOptions& options) {
+    app.add_list("--perturb", options.perturbations,
+                 "amplitudes a, a list: particles of a grid move by U(-1,1) a delta (default 0)");
+    app.add_option("--seed", options.seed, "first seed of perturbations and graded layouts (default 1)")
+        .type_name("S")
+        .within(1, 4000000000);
+    app.add_option("--seeds", options.seeds, "number of seeds: S, S+1, ... (default 1)")
+        .type_name("K")
+        .within(1, 100000);
+}
+
+void add_kernel_options(CommandLine& app, CloudOptions& options) {
+    const auto cut =
+        app.add_option("--cut", options.cut,
+                       "the kernel is a Gaussian lowered to zero at this many h (default 3.5; in space 3)")
+            .type_name("RHO");
+    app.add_option("--kernel", options.kernel, "another kernel: one of " + joined(kernel_names()))
+        .type_name("NAME")
+        .excludes(cut);
+    app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1.2)")
+        .type_name("RATIO");
+}
+
 void add_options(CommandLine& app, CloudOptions& options) {
     app.column_width(34);
     app.add_option("--dimension", options.dimension, "2, the plane (default), or 3, space")
@@ -146,28 +168,13 @@ void add_options(CommandLine& app, CloudOptions& options) {
     app.add_list("--columns", options.columns,
                  "the columns of positions in a file, by names or by numbers from 1 (default: x,y,z)")
         .type_name("X,Y[,Z]");
-    app.add_list("--perturb", options.perturbations,
-                 "amplitudes a, a list: particles of a grid move by U(-1,1) a delta (default 0)");
-    app.add_option("--seed", options.seed, "first seed of perturbations and graded layouts (default 1)")
-        .type_name("S")
-        .within(1, 4000000000);
-    app.add_option("--seeds", options.seeds, "number of seeds: S, S+1, ... (default 1)")
-        .type_name("K")
-        .within(1, 100000);
+    add_draw_options(app, options);
     app.add_flag("--median", options.median, "one row for all seeds of a case: medians and quartiles");
     app.add_option("--sample", options.sample,
                    "at most so many random particles of each place of a grid (default 0: all)")
         .type_name("K")
         .within(0, 1000000000);
-    const auto cut =
-        app.add_option("--cut", options.cut,
-                       "the kernel is a Gaussian lowered to zero at this many h (default 3.5; in space 3)")
-            .type_name("RHO");
-    app.add_option("--kernel", options.kernel, "another kernel: one of " + joined(kernel_names()))
-        .type_name("NAME")
-        .excludes(cut);
-    app.add_option("--smoothing", options.smoothing, "smoothing length over spacing, h/delta (default 1.2)")
-        .type_name("RATIO");
+    add_kernel_options(app, options);
     app.add_option(
            "--smoothing-from", options.smoothing_from,
            "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local, nearest, K-nearest (such as 8-nearest); a length; or a file with a number for each particle, FILE or FILE:COLUMN")
@@ -184,6 +191,11 @@ void add_options(CommandLine& app, CloudOptions& options) {
     app.add_output(options.output);
 }
 
+void check_grids(const CloudOptions& options) {
+    check_effect(options, true, false);
+    check_numbers(options, true);
+}
+
 void complete(CloudOptions& options) {
     const auto& layouts = options.layouts;
     const bool grid = std::any_of(layouts.begin(), layouts.end(), is_grid),
@@ -194,6 +206,7 @@ void complete(CloudOptions& options) {
                      {"--output", options.output},
                      {"--plot", options.figure.path}});
     check_effect(options, grid, file);
+    static_cast<void>(formulations_of(options));
     check_numbers(options, grid);
     if (options.particles.empty())
         options.particles =
@@ -297,6 +310,17 @@ derivative_test::Function<dim> function(const CloudOptions& options) {
     };
 }
 
+std::string kernel_comment(const CloudOptions& options) {
+    return "kernel " +
+           (options.kernel ? *options.kernel
+                           : "gaussian, lowered to zero at " + shown(cut_of(options)) + " h") +
+           ", h/" + (options.smoothing_from == "mean" ? "delta" : options.smoothing_from + " spacing") + " " +
+           shown(options.smoothing) +
+           (options.sample > 0
+                ? ", at most " + std::to_string(options.sample) + " random particles of each place"
+                : "");
+}
+
 std::vector<std::string> comments(const CloudOptions& options, const std::string& what) {
     std::string equations;
     for (const std::string& name : formulations_of(options))
@@ -306,15 +330,7 @@ std::vector<std::string> comments(const CloudOptions& options, const std::string
                 options.function.value_or(std::string(options.dimension == 2
                                                           ? derivative_test::function_typed<2>
                                                           : derivative_test::function_typed<3>)),
-            "equations: " + equations,
-            "kernel " +
-                (options.kernel ? *options.kernel
-                                : "gaussian, lowered to zero at " + shown(cut_of(options)) + " h") +
-                ", h/" + (options.smoothing_from == "mean" ? "delta" : options.smoothing_from + " spacing") +
-                " " + shown(options.smoothing) +
-                (options.sample > 0
-                     ? ", at most " + std::to_string(options.sample) + " random particles of each place"
-                     : ""),
+            "equations: " + equations, kernel_comment(options),
             "quality: R, the factor in the bound of the error of second derivatives in powers of delta"};
 }
 

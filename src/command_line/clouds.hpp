@@ -36,6 +36,13 @@ struct CloudOptions {
 /// Adds the options to a command line.
 void add_options(CommandLine& app, CloudOptions& options);
 
+/// Some of them: those of draws, of the kernel and of its smoothing length.
+void add_draw_options(CommandLine& app, CloudOptions& options);
+void add_kernel_options(CommandLine& app, CloudOptions& options);
+
+/// Refuses of grids what changes nothing or has no meaning. \throws base::InvalidInput
+void check_grids(const CloudOptions& options);
+
 /// Fills in what was left open, and reads the files, each once.
 /// \throws base::InvalidInput for what changes nothing, has no meaning, or cannot be drawn, and for files that
 ///         cannot be read or would be written
@@ -93,6 +100,9 @@ particles::Smoothing<double, dim> smoothing(const CloudOptions& options,
 /// \f[ 2\,\partial_{12} f = \partial^2_{1+2} f - \partial_{11} f - \partial_{22} f \f]
 template <int dim>
 fpm_in_space::derivative_test::Function<dim> function(const CloudOptions& options);
+
+/// "kernel gaussian, lowered to zero at 3.5 h, h/delta 1.2"
+std::string kernel_comment(const CloudOptions& options);
 
 /// Comments of a table. \param what it holds
 std::vector<std::string> comments(const CloudOptions& options, const std::string& what);

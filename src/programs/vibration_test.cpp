@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
 #include "command_line/quality.hpp"
+#include "command_line/spectrum.hpp"
 #include "command_line/sweep.hpp"
 
 namespace {
@@ -21,6 +21,7 @@ namespace {
 using namespace asprone2010;
 using command_line::Case;
 using command_line::formulation_named;
+using command_line::rows_of_modes;
 using report::Cell;
 using vibration_test::Mass;
 
@@ -65,33 +66,6 @@ std::vector<Cell> named(const Options& options, const Case& one) {
     return {one.formulation, static_cast<long>(one.particles), perturbation, seed};
 }
 
-/// Whether a displacement grows or decays, and does not vibrate: such a frequency belongs to no mode of the
-/// rod.
-bool has_no_real_part(const std::complex<double>& frequency) {
-    return frequency.real() <= 1e-9 * std::abs(frequency.imag());
-}
-
-/// A row for each frequency: the case, the mode, its frequency beside the exact one, and what the last column
-/// holds. Modes are counted by the real parts.
-/// \param last of a mode, from 1, and of the row, from 0
-Rows rows(const Options& options, const Case& one, const std::vector<std::complex<double>>& frequencies,
-          const std::function<Cell(Index, std::size_t)>& last) {
-    Rows all;
-    Index n = 0;
-    for (const std::complex<double>& frequency : frequencies) {
-        std::vector<Cell> cells = named(options, one);
-        if (has_no_real_part(frequency)) {
-            cells.insert(cells.end(), {Cell(), frequency.real(), frequency.imag(), Cell(), Cell(), Cell()});
-        } else {
-            const double exact = vibration_test::exact_frequency(++n);
-            cells.insert(cells.end(), {static_cast<long>(n), frequency.real(), frequency.imag(), exact,
-                                       frequency.real() / exact, last(n, all.size())});
-        }
-        all.push_back(std::move(cells));
-    }
-    return all;
-}
-
 /// D² of a case. \throws base::FailedComputation where it is not worth a table
 Operator<double> second_derivative(const Options& options, const Case& one,
                                    const numerical_tests::Particles<double>& discrete) {
@@ -110,7 +84,8 @@ Rows lowest_modes(const Options& options, const Case& one) {
     std::vector<std::complex<double>> omega(modes.size());
     std::transform(modes.begin(), modes.end(), omega.begin(),
                    [](const vibration_test::Mode& mode) { return mode.frequency; });
-    return rows(options, one, omega, [&](Index, std::size_t k) { return modes[k].residual; });
+    return rows_of_modes(named(options, one), omega, vibration_test::exact_frequency,
+                         [&](Index, std::size_t k) { return modes[k].residual; });
 }
 
 std::vector<std::complex<double>> frequencies(const Options& options, const Case& one) {
@@ -140,8 +115,8 @@ std::vector<Cell> symbol_ratios(const Options& options, const Case& one) {
 Rows all_modes(const Options& options, const Case& one) {
     const auto omega = frequencies(options, one);
     const auto ratios = symbol_ratios(options, one);
-    return rows(options, one, omega,
-                [&](Index n, std::size_t) { return ratios[static_cast<std::size_t>(n - 1)]; });
+    return rows_of_modes(named(options, one), omega, vibration_test::exact_frequency,
+                         [&](Index n, std::size_t) { return ratios[static_cast<std::size_t>(n - 1)]; });
 }
 
 /// "not real: fpm 4 of 98": for each case of which some frequencies have an imaginary part.
@@ -180,17 +155,10 @@ report::Table table_of(const Options& options) {
             : "residual: |x/omega^2 + inverse(K) x| / |x/omega^2|, K of (52)"};
     for (const std::string& comment : command_line::header_comments(options))
         table.comments.push_back(comment);
-    table.columns = {
-        {"formulation"},
-        {"particles"},
-        {"perturbation"},
-        {"seed"},
-        {"mode"},
-        {"frequency", {1e-8, 1e-8}},
-        {"frequency_imaginary", {1e-8, 1e-8}},
-        {"exact"},
-        {"ratio", {1e-8, 1e-9}},
-        all ? report::ColumnHead{"ratio_symbol", {1e-8, 1e-9}} : report::ColumnHead{"residual", {1, 1e-9}}};
+    table.columns = {{"formulation"}, {"particles"}, {"perturbation"}, {"seed"}};
+    for (const report::ColumnHead& column : command_line::columns_of_modes()) table.columns.push_back(column);
+    table.columns.push_back(all ? report::ColumnHead{"ratio_symbol", {1e-8, 1e-9}}
+                                : report::ColumnHead{"residual", {1, 1e-9}});
     command_line::Sweep sweep(table, 4);
     for (const Case& one :
          command_line::cases(options, all ? references : std::vector<std::string>{"fem_lumped"}))
