@@ -74,7 +74,7 @@ std::string parameters(const Options& options) {
 }  // namespace
 
 void check_line(long N, double reach, std::size_t scalar) {
-    if (N < 2) throw InvalidInput("a line needs at least 2 particles, got " + std::to_string(N));
+    if (N < 2) throw InvalidInput("--particles: a line needs at least 2 particles, got " + std::to_string(N));
     const auto count = static_cast<double>(N), size = static_cast<double>(scalar + sizeof(int));
     // Rows of D, and of D², which are twice as wide where D is applied twice.
     const double once = count * std::min(2 * reach + 1, count),
@@ -195,8 +195,10 @@ std::vector<Case> cases(const Options& options, const std::vector<std::string>& 
         throw InvalidInput("seeds beyond " + std::to_string(largest_seed) +
                            " repeat others; take a smaller --seed");
 
-    const double support = particles::support<double>(particles::kernel_named(options.kernel)) *
-                           (std::isfinite(options.smoothing) ? std::max(options.smoothing, 0.0) : 0);
+    if (!(options.smoothing > 0))
+        throw InvalidInput("--smoothing must be positive and finite, got " + base::shown(options.smoothing));
+    const double support =
+        particles::support<double>(particles::kernel_named(options.kernel)) * options.smoothing;
     const auto spacings = [&](long N) {  // h/δ, at most
         return options.spacing.kind == particles::Spacing::given
                    ? options.spacing.lengths.maxCoeff() * static_cast<double>(N - 1)

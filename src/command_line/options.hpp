@@ -9,6 +9,7 @@
 #include "base/choose.hpp"
 #include "base/quad.hpp"
 #include "command_line/command_line.hpp"
+#include "command_line/lists.hpp"
 #include "command_line/plot.hpp"
 #include "report/table.hpp"
 
@@ -20,8 +21,11 @@ namespace command_line {
 template <class Work>
 auto in_precision(const std::string& name, const Work& work) {
     using Zero = std::variant<double, long double, base::Quad>;
-    return std::visit(work, base::choose<Zero>("precision", name,
-                                               {{"double", 0.0}, {"long", 0.0L}, {"quad", base::Quad(0)}}));
+    const Zero zero = of_option("--precision", [&] {
+        return base::choose<Zero>("precision", name,
+                                  {{"double", 0.0}, {"long", 0.0L}, {"quad", base::Quad(0)}});
+    });
+    return std::visit(work, zero);
 }
 
 /// Whether `--output` leads to the standard output.

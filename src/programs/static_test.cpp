@@ -8,6 +8,7 @@
 #include "asprone2010/in_quad.hpp"
 #include "command_line/cases.hpp"
 #include "command_line/formulations.hpp"
+#include "command_line/lists.hpp"
 #include "command_line/quality.hpp"
 #include "expressions/parser.hpp"
 
@@ -149,6 +150,9 @@ int main(int argc, char** argv) {
     command_line::add_quality(app, options);
     command_line::add_states(app, options);
     return command_line::run(app, argc, argv, options, [&] {
+        if (!options.end.empty())
+            command_line::of_option(
+                "--end", [&] { static_cast<void>(command_line::formulation_named<double>(options.end)); });
         return command_line::errors_or_states(
             options, [&] { return table_of(options); }, [&] { return states_of(options); },
             "asprone2010/states_2.gp");

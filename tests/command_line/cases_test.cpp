@@ -74,8 +74,7 @@ TEST_CASE("cases: bad invocations end with code 2 and one line that names the ca
         check_refused(program + " --particles abc", 2, "abc");
         check_refused(program + " --volumes half", 2, "there is no volume convention 'half'");
         check_refused(program + " --kernel gauss", 2, "there is no kernel 'gauss'");
-        check_refused(program + " --smoothing 0", 2,
-                      "the smoothing length over the spacing must be positive and finite, got");
+        check_refused(program + " --smoothing 0", 2, "--smoothing must be positive and finite, got 0");
         check_refused(program + " --smoothing nan", 2, "--smoothing: 'nan' is no number");
         check_refused(program + " --perturb 0.5", 2, "take 0 <= a < 0.5");
         check_refused(program + " --seeds 0", 2, "--seeds");

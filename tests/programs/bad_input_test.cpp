@@ -39,7 +39,7 @@ void check_finite(const std::string& command) {
 
 TEST_CASE("bad input: numbers of particles that are none, too few, or more than can be held") {
     check({
-        {"derivative_test", "--particles 0", 2, "a line needs at least 2 particles, got 0"},
+        {"derivative_test", "--particles 0", 2, "--particles: a line needs at least 2 particles, got 0"},
         {"derivative_test", "--particles 1", 2, "at least 2 particles, got 1"},
         {"derivative_test", "--formulation modified_fpm --particles 2", 1, "take at least 3 particles"},
         {"derivative_test", "--formulation second_order_fpm --particles 3", 1, "take at least 4 particles"},
@@ -90,7 +90,7 @@ TEST_CASE("bad input: numbers of particles that are none, too few, or more than 
 
 TEST_CASE("bad input: smoothing lengths, perturbations and other numbers beyond their meaning") {
     check({
-        {"derivative_test", "--smoothing 0", 2, "must be positive and finite, got 0"},
+        {"derivative_test", "--smoothing 0", 2, "--smoothing must be positive and finite, got 0"},
         {"derivative_test", "--smoothing -1", 2, "must be positive and finite, got -1"},
         {"derivative_test", "--smoothing nan", 2, "--smoothing: 'nan' is no number"},
         {"derivative_test", "--smoothing inf", 2, "--smoothing: 'inf' is no number"},
@@ -165,7 +165,8 @@ TEST_CASE("bad input: names that nothing has, options that are missing a value o
         {"derivative_test", "--kernel cubic", 2, "choose one of gaussian"},
         {"derivative_test", "--volumes all", 2, "choose one of equal, partition"},
         {"derivative_test", "--smoothing-from here", 2, "choose one of mean, largest, local"},
-        {"derivative_test", "--precision half", 2, "choose one of double, long, quad"},
+        {"derivative_test", "--precision half", 2,
+         "--precision: there is no precision 'half'; choose one of double, long, quad"},
         {"derivative_test", "--threads 1 --threads 2", 2, "--threads is given twice; give it once"},
         {"derivative_test", "--median=3", 2, "--median takes no value"},
         {"derivative_test", "--columns 2", 2, "--columns belongs to the file of --positions; add it"},
@@ -174,7 +175,7 @@ TEST_CASE("bad input: names that nothing has, options that are missing a value o
         {"derivative_test", "--config x", 2, "there is no option '--config'; see derivative_test --help"},
         {"derivative_test", "\"$(printf '%s\\n.' --kernel)\"", 2, "there is no option '--kernel?.'"},
         {"derivative_test", "--kernel \"$(printf '\\033[31m\\nred')\"", 2, "there is no kernel '?[31m?red'"},
-        {"static_test", "--end nothing", 2, "there is no formulation 'nothing'"},
+        {"static_test", "--end nothing", 2, "--end: there is no formulation 'nothing'"},
         {"stencil", "--formulation fem", 2, "there is no formulation 'fem'"},
         {"constants", "--volumes all", 2, "choose one of equal, partition"},
         {"constants", "--kernel cubic", 2, "choose one of all, gaussian"},
