@@ -25,8 +25,8 @@ struct Solution {
 template <int dim, int n>
 Solution<dim, n> solve(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how);
 
-/// The unknown functions at a place, with \f$\partial_b u_j\f$ and \f$F_{ia}\f$ (stress, or k∇u) as matrices,
-/// n × dim.
+/// The unknown functions at a place, with \f$\partial_b u_j\f$ and \f$F_{ia}\f$ (stress, or k∇u), n × dim
+/// matrices.
 template <int dim, int n>
 struct State {
     Values<n> u;

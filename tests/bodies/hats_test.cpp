@@ -49,7 +49,8 @@ support::Errors errors_of(const Equation<dim, n>& equation, int polynomial, cons
     return support::errors(problem, solve(problem, body, hats()), exact);
 }
 
-/// The force and the moment, or in space the moments, of forces at places. \param add gives each to its argument
+/// The force and the moment, or in space the moments, of forces at places.
+/// \param add gives each to its argument
 template <int dim, class Add>
 Eigen::VectorXd force_and_moment(const Add& add) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(dim * (dim + 1) / 2);
