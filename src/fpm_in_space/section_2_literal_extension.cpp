@@ -1,17 +1,6 @@
 #include "fpm_in_space/section_2_literal_extension.hpp"
 
-#include "solvers/spectrum.hpp"
-
 namespace fpm_in_space::literal_extension {
-
-double condition(const Table<double>& A) {
-    const Index n = A.rows();
-    Eigen::MatrixXd symmetric = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    symmetric.topRightCorner(n, n) = A;
-    symmetric.bottomLeftCorner(n, n) = A.transpose();
-    const auto sigma = solvers::symmetric_eigenvalues(symmetric, Eigen::MatrixXd::Identity(2 * n, 2 * n));
-    return sigma.back() / sigma[static_cast<std::size_t>(n)];
-}
 
 template Derivatives<double, 1> modified(const Neighbourhood<double, 1>&);
 template Derivatives<double, 1> modified_by_derivatives(const Neighbourhood<double, 1>&);

@@ -206,10 +206,6 @@ Derivatives<Scalar, dim> second_order(const Neighbourhood<Scalar, dim>& near) {
     return projected(corrected_kernels(near), near);
 }
 
-/// Condition number of a local system in units of h: its largest singular value over its smallest, as
-/// asprone2010::local_conditions. They are the positive eigenvalues of [0, A; Aᵀ, 0].
-double condition(const Table<double>& A);
-
 // Compiled once, in section_2_literal_extension.cpp.
 extern template Derivatives<double, 1> modified(const Neighbourhood<double, 1>&);
 extern template Derivatives<double, 1> modified_by_derivatives(const Neighbourhood<double, 1>&);

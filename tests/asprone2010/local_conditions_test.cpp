@@ -6,9 +6,11 @@
 using namespace asprone2010;
 using support::relative;
 
-TEST_CASE("local_conditions: the condition number of a diagonal matrix and of a symmetric one") {
+TEST_CASE("local_conditions: the condition number is that of the singular values, of any matrix") {
     CHECK(local_conditions::condition(Eigen::Matrix2d{{-8, 0}, {0, 2}}) == relative(4, 1e-14));
     CHECK(local_conditions::condition(Eigen::Matrix2d{{2, 1}, {1, 2}}) == relative(3, 1e-14));
+    const Eigen::MatrixXd A{{0, 2, 0}, {0, 0, -100}, {8, 0, 0}};
+    CHECK(local_conditions::condition(A) == relative(50, 1e-14));
 }
 
 TEST_CASE("local_conditions: the moments of the constant kernel on three particles") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "asprone2010/local_conditions.hpp"
 #include "asprone2010/section_4_second_order_fpm.hpp"
 #include "fpm_in_space/claims/ledger.hpp"
 #include "fpm_in_space/claims/measures.hpp"
@@ -95,7 +96,8 @@ double largest_condition() {
                 const auto near = particles::neighbourhood(cloud, smoothing, i,
                                                            particles::within_reach(cloud, smoothing, i));
                 const auto kernels = literal_extension::corrected_kernels(near);
-                most = std::max(most, literal_extension::condition(literal_extension::matrix(kernels, near)));
+                most = std::max(
+                    most, asprone2010::local_conditions::condition(literal_extension::matrix(kernels, near)));
             }
         all.push_back(most);
     }
