@@ -51,6 +51,10 @@ fpm_in_space/rows      = $(bin)/derivative_test_in_space --layout $(around_the_h
 fpm_in_space/layouts   = $(bin)/hole --method strong --draws 25 --quality
 fpm_in_space/literal   = $(bin)/derivative_test_in_space --particles 16,31,61 --perturb 0,0.25 --seeds 25 --median --sample 300 \
                          --smoothing 1 --cut 6 --formulation definite_fpm,literal_modified_fpm,literal_fpm_by_derivatives,literal_second_order_fpm
+fpm_in_space/membrane  = $(bin)/vibration_test_in_space --perturb 0,0.25 \
+                         --formulation original,ssph,cubic_ssph,definite_fpm,fem_lumped,fem_consistent
+fpm_in_space/membrane_lowest = $(bin)/vibration_test_in_space --particles 31,61,91 --lowest 10 \
+                         --formulation ssph,cubic_ssph,definite_fpm,fem_lumped,fem_consistent
 
 fpm_in_space/claims    = $(bin)/claims --paper fpm_in_space
 

@@ -198,12 +198,18 @@ Frequencies frequencies(const Elements& elements) {
     return ordered(lambda);
 }
 
-Frequencies lowest_frequencies(const SparseRows& K, const SparseRows& M, Index count) {
-    const Eigen::VectorXcd inverses = solvers::largest_of_inverse(K, M, count);
-    Frequencies mu(inverses.begin(), inverses.end());
-    remove_round_off(mu);
-    for (auto& one : mu) one = 1.0 / one;
-    return ordered(mu);
+Frequencies lowest_frequencies(const SparseRows& K, Index count) {
+    SparseRows I(K.rows(), K.rows());
+    I.setIdentity();
+    return lowest_frequencies(Elements{K, I}, count);
+}
+
+Frequencies lowest_frequencies(const Elements& elements, Index count) {
+    const Eigen::VectorXcd inverses = solvers::largest_of_inverse(elements.K, elements.M, count);
+    Frequencies lambda(inverses.begin(), inverses.end());
+    remove_round_off(lambda);
+    for (auto& one : lambda) one = 1.0 / one;
+    return ordered(lambda);
 }
 
 Index complex_pairs(const Frequencies& frequencies) {

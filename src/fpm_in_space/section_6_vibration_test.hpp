@@ -115,9 +115,10 @@ Frequencies frequencies(const SparseRows& K);
 Frequencies frequencies(const Elements& elements);
 
 /// The lowest frequencies, those of the smallest |ω|, in the same order: for grids too large for all of them.
-/// \param M mass matrix, or the identity \param count at most K.rows() − 2
+/// \param count at most K.rows() − 2
 /// \throws base::FailedComputation where K is singular or the iteration does not converge
-Frequencies lowest_frequencies(const SparseRows& K, const SparseRows& M, Index count);
+Frequencies lowest_frequencies(const SparseRows& K, Index count);
+Frequencies lowest_frequencies(const Elements& elements, Index count);
 
 /// How many pairs of conjugate frequencies there are; such modes do not vibrate alone, they grow or decay.
 Index complex_pairs(const Frequencies& frequencies);
