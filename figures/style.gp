@@ -80,9 +80,10 @@ methods = "strong weak1 weak2"
 set style line 31 linecolor rgb "#c8501e" dashtype (8,3)  pointtype 4  pointsize 0.8 linewidth 1.5
 set style line 32 linecolor rgb "#12507b" dashtype 1      pointtype 7  pointsize 0.7 linewidth 1.8
 set style line 33 linecolor rgb "#3aa078" dashtype (3,2)  pointtype 8  pointsize 0.9 linewidth 1.6
+set style line 35 linecolor rgb "#6b2f8a" dashtype (10,3,2,3) pointtype 5 pointsize 0.7 linewidth 1.6
 set style line 34 linecolor rgb "#c4c4c4" dashtype 1      linewidth 5  # a band on which the curves lie
 title_strong = "strong"; title_weak1 = "weak1"; title_weak2 = "weak2"
-method_style(name) = name eq "strong" ? 31 : name eq "weak1" ? 32 : name eq "weak2" ? 33 : 34
+method_style(name) = name eq "strong" ? 31 : name eq "weak1" ? 32 : name eq "weak2" ? 33 : name eq "fpm" ? 35 : 34
 method(name) = strcol("method") eq name ? 1 : NaN
 one_row = "set key maxrows 1 width -1 samplen 3"
 

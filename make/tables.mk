@@ -49,6 +49,11 @@ around_the_hole := graded-188-11,polar-11x17
 fpm_in_space/rows      = $(bin)/derivative_test_in_space --layout $(around_the_hole) --smoothing 1 --smoothing-from local \
                          --function 'log(x^2+y^2)/2' --states
 fpm_in_space/layouts   = $(bin)/hole --method strong --draws 25 --quality
+fpm_in_space/plate     = $(bin)/plate --method strong,fpm --degree 2,3 --scaling 4 --particles $(grids)
+finer := graded-686-21,graded-2600-41
+fpm_in_space/hole      = $(bin)/hole --method strong --degree 2,3 --draws 11 --layout graded-188-11,$(finer) --quality
+fpm_in_space/hole_fpm  = $(bin)/hole --method fpm --smoothing-from local --draws 11 --layout $(finer) --quality
+fpm_in_space/hole_fpm_coarse = $(bin)/hole --method fpm --smoothing-from local --draws 25 --quality
 fpm_in_space/literal   = $(bin)/derivative_test_in_space --particles 16,31,61 --perturb 0,0.25 --seeds 25 --median --sample 300 \
                          --smoothing 1 --cut 6 --formulation definite_fpm,literal_modified_fpm,literal_fpm_by_derivatives,literal_second_order_fpm
 fpm_in_space/membrane  = $(bin)/vibration_test_in_space --perturb 0,0.25 \
@@ -72,7 +77,7 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 # The claims about the hole are decided on the family of layouts.
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 # Those about FPM in space, on tables of derivatives and of solutions.
-data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space literal rows layouts)
+data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space literal rows layouts plate hole hole_fpm hole_fpm_coarse)
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	rm -f $@.tmp.*

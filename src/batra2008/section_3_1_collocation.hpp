@@ -42,6 +42,7 @@ System assembled(const std::vector<std::vector<int>>& near, const EquationsOf& e
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$K_{1J}, \ldots, K_{6J}\f$ | `K<1>` … `K<6>` | SSPH basis at the particle \f$x_I\f$ itself |
+/// | | `Basis` | that basis, or other weights that have the same \f$K_{1J}, \ldots, K_{6J}\f$ |
 /// | \f$K'_{IJ}\f$ | `Block` | two rows of the system, a 2 × 2 block for each neighbour |
 ///
 /// Departures from the print: entry (2, 2) of the matrix below \eq{B3.14} has ν0 n2 K3J; \eq{B3.3} and the
@@ -99,8 +100,8 @@ inline Vector sums(const Block& block, const Column<double>& u1, const Column<do
 /// \f[ \sum_{J=1}^{M} K'_{IJ}\,u_J = 0, \quad
 ///     K'_{IJ} = \begin{bmatrix} 2K_{4J} + (1-\nu_0)K_{5J} & \frac{1+\nu_0}{2}K_{6J}
 ///         \\ \frac{1+\nu_0}{2}K_{6J} & (1-\nu_0)K_{4J} + 2K_{5J} \end{bmatrix} \tag{3.12} \f]
-template <int m>
-Block equilibrium(const ssph_basis::Basis<2, m>& basis, double nu0) {
+template <class Basis>
+Block equilibrium(const Basis& basis, double nu0) {
     const Column<double> K4 = K<4>(basis), K5 = K<5>(basis), mixed = (1 + nu0) / 2 * K<6>(basis);
     return {2 * K4 + (1 - nu0) * K5, mixed, mixed, (1 - nu0) * K4 + 2 * K5};
 }
@@ -108,8 +109,8 @@ Block equilibrium(const ssph_basis::Basis<2, m>& basis, double nu0) {
 /// The displacement at a particle where it is given: the basis has no Kronecker property. \defeq{B3.13}
 /// \f[ \sum_J K'_{IJ}\,u_J = \bar u_I,
 ///     \quad K'_{IJ} = \begin{bmatrix} K_{1J} & 0 \\ 0 & K_{1J} \end{bmatrix} \tag{3.13} \f]
-template <int m>
-Block displacement(const ssph_basis::Basis<2, m>& basis) {
+template <class Basis>
+Block displacement(const Basis& basis) {
     const Column<double> K1 = K<1>(basis), zero = Column<double>::Zero(K1.size());
     return {K1, zero, zero, K1};
 }
@@ -120,9 +121,8 @@ Block displacement(const ssph_basis::Basis<2, m>& basis) {
 ///         n_1 K_{2J} + \frac{1-\nu_0}{2}n_2 K_{3J} & \nu_0 n_1 K_{3J} + \frac{1-\nu_0}{2}n_2 K_{2J}
 ///         \\ \nu_0 n_2 K_{2J} + \frac{1-\nu_0}{2}n_1 K_{3J} & n_2 K_{3J} + \frac{1-\nu_0}{2}n_1 K_{2J}
 ///         \end{bmatrix} \tag{3.14} \f]
-template <int m>
-Block traction(const ssph_basis::Basis<2, m>& basis, const elastostatics::Material& material,
-               const Vector& n) {
+template <class Basis>
+Block traction(const Basis& basis, const elastostatics::Material& material, const Vector& n) {
     const Column<double> K2 = K<2>(basis), K3 = K<3>(basis);
     const double nu0 = elastostatics::nu0(material);
     const double factor = elastostatics::E0(material) / (1 - nu0 * nu0), shear = (1 - nu0) / 2;
@@ -131,8 +131,8 @@ Block traction(const ssph_basis::Basis<2, m>& basis, const elastostatics::Materi
 }
 
 /// The equations of a particle: equilibrium inside; on the boundary, the two conditions there.
-template <int m>
-Equations equations_at(const Problem& problem, const Point<2>& x, const ssph_basis::Basis<2, m>& basis) {
+template <class Basis>
+Equations equations_at(const Problem& problem, const Point<2>& x, const Basis& basis) {
     const double nu0 = elastostatics::nu0(problem.material);
     const double modulus = elastostatics::E0(problem.material) / (1 - nu0 * nu0);
     const std::vector<elastostatics::Condition> conditions = elastostatics::conditions_at(problem, x);
@@ -153,21 +153,12 @@ Equations equations_at(const Problem& problem, const Point<2>& x, const ssph_bas
 }
 
 /// The system with equations on given neighbours.
-/// \tparam m degree of the monomials, 2 or 3
-/// \param near for each particle the neighbours to choose from, in increasing order
-/// \param h smoothing length of each particle [length]
-/// \throws base::FailedComputation as ssph_basis::basis_at()
-template <int m>
+/// \param near for each particle its neighbours, in increasing order
+/// \param basis_at a function of a particle's number: its basis on these neighbours
+template <class BasisAt>
 System system_on(const std::vector<std::vector<int>>& near, const Problem& problem, const Cloud<2>& cloud,
-                 const Kernel& kernel, const Column<double>& h) {
-    static_assert(m >= 2, "equilibrium has second derivatives");
-    return assembled(near, [&](Index I) {
-        const Point<2> x = cloud.x().col(I);
-        return equations_at<m>(
-            problem, x,
-            ssph_basis::basis_at<m>(cloud, kernel, x, h[I], near[static_cast<std::size_t>(I)],
-                                    ssph_basis::Slopes::none));
-    });
+                 const BasisAt& basis_at) {
+    return assembled(near, [&](Index I) { return equations_at(problem, cloud.x().col(I), basis_at(I)); });
 }
 
 /// The order of the highest derivative in the equations of each particle: equilibrium has the second, a
@@ -177,6 +168,20 @@ inline std::vector<int> highest_derivatives(const Problem& problem, const Cloud<
     for (Index I = 0; I < cloud.size(); ++I)
         order.push_back(elastostatics::conditions_at(problem, cloud.x().col(I)).empty() ? 2 : 1);
     return order;
+}
+
+/// The system with the SSPH basis on given neighbours.
+/// \tparam m degree of the monomials, 2 or 3
+/// \param h smoothing length of each particle [length]
+/// \throws base::FailedComputation as ssph_basis::basis_at()
+template <int m>
+System system_on(const std::vector<std::vector<int>>& near, const Problem& problem, const Cloud<2>& cloud,
+                 const Kernel& kernel, const Column<double>& h) {
+    static_assert(m >= 2, "equilibrium has second derivatives");
+    return system_on(near, problem, cloud, [&](Index I) {
+        return ssph_basis::basis_at<m>(cloud, kernel, Point<2>(cloud.x().col(I)), h[I],
+                                       near[static_cast<std::size_t>(I)], ssph_basis::Slopes::none);
+    });
 }
 
 /// The system; if it is large, with the same equations on the nearest particles, by the same kernel.

@@ -162,14 +162,14 @@ inline double penalty(const elastostatics::Material& material) {
 }
 
 /// Largest error of u2 at the particles of the bottom edge, in percent of the largest displacement there.
-inline double largest_error_u2(const Cloud<2>& cloud, const example_problems::Solution& solution,
-                               const Problem& problem) {
+template <class Solution>
+double largest_error_u2(const Cloud<2>& cloud, const Solution& solution, const Problem& problem) {
     double error = 0, largest = 0;
     for (Index I = 0; I < cloud.size(); ++I) {
         const Point<2> x = cloud.x().col(I);
         if (!particles::lies_on(problem.sides.front().curve, x, problem.size)) continue;
         const double exact = problem.exact.u(x)[1];
-        error = std::max(error, std::abs(example_problems::state_at(cloud, solution, x).u[1] - exact));
+        error = std::max(error, std::abs(state_at(cloud, solution, x).u[1] - exact));
         largest = std::max(largest, std::abs(exact));
     }
     return 100 * error / largest;

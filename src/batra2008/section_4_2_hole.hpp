@@ -165,13 +165,13 @@ struct Deviation {
 };
 
 /// The largest deviations at the particles, of u1 and of u2.
-inline std::array<Deviation, 2> largest_deviations(const Cloud<2>& cloud,
-                                                   const example_problems::Solution& solution,
-                                                   const Problem& problem) {
+template <class Solution>
+std::array<Deviation, 2> largest_deviations(const Cloud<2>& cloud, const Solution& solution,
+                                            const Problem& problem) {
     std::array<Deviation, 2> largest;
     for (Index I = 0; I < cloud.size(); ++I) {
         const Point<2> x = cloud.x().col(I);
-        const Vector deviation = example_problems::state_at(cloud, solution, x).u - problem.exact.u(x);
+        const Vector deviation = state_at(cloud, solution, x).u - problem.exact.u(x);
         for (std::size_t i = 0; i < 2; ++i)
             if (const double size = std::abs(deviation[static_cast<Index>(i)]); size > largest[i].size)
                 largest[i] = {size, x};
@@ -182,13 +182,13 @@ inline std::array<Deviation, 2> largest_deviations(const Cloud<2>& cloud,
 /// The largest deviations from the exact solution at 101 places along the x2-axis, as Figures 16 and 17 show
 /// them.
 /// \return of u2 [length] and of σ11/σ0
-inline std::array<double, 2> largest_deviations_on_axis(const Cloud<2>& cloud,
-                                                        const example_problems::Solution& solution,
-                                                        const Problem& problem, const Shape& shape) {
+template <class Solution>
+std::array<double, 2> largest_deviations_on_axis(const Cloud<2>& cloud, const Solution& solution,
+                                                 const Problem& problem, const Shape& shape) {
     std::array<double, 2> largest{};
     for (int k = 0; k <= 100; ++k) {
         const double r = shape.b + (shape.side - shape.b) * k / 100.0;
-        const auto [u, stress] = example_problems::state_at(cloud, solution, {0, r});
+        const auto [u, stress] = state_at(cloud, solution, {0, r});
         const auto [u2, s11] = along_x2_axis(problem.material, shape, r);
         largest[0] = std::max(largest[0], std::abs(u[1] - u2));
         largest[1] = std::max(largest[1], std::abs(stress[0] / sigma_0 - s11));
@@ -197,9 +197,9 @@ inline std::array<double, 2> largest_deviations_on_axis(const Cloud<2>& cloud,
 }
 
 /// σ11/σ0 at the top of the hole, 3 for the exact solution.
-inline double stress_concentration(const Cloud<2>& cloud, const example_problems::Solution& solution,
-                                   const Shape& shape) {
-    return example_problems::state_at(cloud, solution, {0, shape.b}).stress[0] / sigma_0;
+template <class Solution>
+double stress_concentration(const Cloud<2>& cloud, const Solution& solution, const Shape& shape) {
+    return state_at(cloud, solution, {0, shape.b}).stress[0] / sigma_0;
 }
 
 }  // namespace hole

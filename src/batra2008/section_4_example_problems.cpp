@@ -73,6 +73,19 @@ Solution solve(const Problem& problem, const Cloud<2>& cloud, const Discretisati
     return {how, problem.material, smoothing_lengths(cloud, how), solved(system(problem, cloud, how))};
 }
 
+Vector displacement_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
+    const double h = solution.h[cloud.nearest(x)];
+    return with_degree(solution.how, [&](auto m) {
+        const auto basis = ssph_basis::basis_at<m>(cloud, Kernel(solution.how.scaling), x, h,
+                                                   ssph_basis::Slopes::none, solution.h);
+        const Column<double> K1 = ssph_basis::K<1>(basis);
+        Vector u = Vector::Zero();
+        for (std::size_t j = 0; j < basis.particle().size(); ++j)
+            u += K1[static_cast<Index>(j)] * solution.u.segment<2>(2 * basis.particle()[j]);
+        return u;
+    });
+}
+
 State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x) {
     const auto [u, gradient] = field_at(cloud, solution, x);
     return {u, elastostatics::stress(solution.material, elastostatics::strain(gradient))};
@@ -104,16 +117,6 @@ std::vector<MeshPoint> background_mesh(Index nx, Index ny, const elastostatics::
                     mesh.push_back({map(at), weight * cell.prod() / 2 * area(at)});
                 }
     return mesh;
-}
-
-Errors errors(const std::vector<MeshPoint>& mesh, const Cloud<2>& cloud, const Solution& solution,
-              const Problem& problem) {
-    std::vector<Vector> u(mesh.size());
-    base::for_each_index(static_cast<Index>(mesh.size()), [&](Index k) {
-        const auto at = static_cast<std::size_t>(k);
-        u[at] = state_at(cloud, solution, mesh[at].x).u;
-    });
-    return errors(mesh, u, problem.exact.u);
 }
 
 }  // namespace batra2008::example_problems

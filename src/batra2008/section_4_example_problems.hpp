@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/choose.hpp"
+#include "base/parallel.hpp"
 #include "batra2008/section_3_elastostatics.hpp"
 #include "particles/spacing.hpp"
 
@@ -74,7 +75,10 @@ struct State {
     Stress stress;
 };
 
-/// The solution at any place of the body; the stress by the method's own first derivatives.
+/// The displacement at any place of the body, \f$\sum_J K_{1J}u_J\f$.
+Vector displacement_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x);
+
+/// Displacement and stress at any place of the body; the stress by the method's own first derivatives.
 State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x);
 
 /// Beyond the print: how much of the unknowns the field does not show, measured in strains,
@@ -145,8 +149,17 @@ inline Errors errors(const std::vector<MeshPoint>& mesh, const std::vector<Vecto
 }
 
 /// The same for a solution, evaluated in parallel.
+/// \tparam Solution one that displacement_at() knows, such as the one above
+template <class Solution>
 Errors errors(const std::vector<MeshPoint>& mesh, const Cloud<2>& cloud, const Solution& solution,
-              const Problem& problem);
+              const Problem& problem) {
+    std::vector<Vector> u(mesh.size());
+    base::for_each_index(static_cast<Index>(mesh.size()), [&](Index k) {
+        const auto at = static_cast<std::size_t>(k);
+        u[at] = displacement_at(cloud, solution, mesh[at].x);
+    });
+    return errors(mesh, u, problem.exact.u);
+}
 
 }  // namespace example_problems
 }  // namespace batra2008

@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "batra2008/basis_at.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
+#include "fpm_in_space/ssph_with_value_given.hpp"
 #include "particles/local_system.hpp"
 #include "particles/requirement.hpp"
 
@@ -179,8 +180,8 @@ Weights<dim> Approximation<dim>::at_particle_from_nearest(Index I, Index enough)
                 ssph_basis::basis_at<m>(cloud_, kernel, x, h_[I], near, ssph_basis::Slopes::none, h_), false,
                 Derivatives::second);
         return of_differences<dim>(
-            ssph_basis::derivatives<m>(particles::neighbourhood(cloud_, kernel, x, h_[I], near)), near, I,
-            h_[I]);
+            fpm_in_space::ssph_with_value_given<m>(particles::neighbourhood(cloud_, kernel, x, h_[I], near)),
+            near, I, h_[I]);
     });
 }
 

@@ -19,6 +19,7 @@ namespace command_line {
 using namespace batra2008;
 using base::InvalidInput;
 using report::Cell;
+namespace plate_and_hole = fpm_in_space::plate_and_hole;
 
 namespace {
 
@@ -41,22 +42,63 @@ struct About {
 };
 
 /// The solution of a problem, timed.
-example_problems::Solution solved(const Problem& problem, const Cloud<2>& cloud,
-                                  const example_problems::Discretisation& how, About& about) {
+/// \param assembled makes the equations \param solved solves them
+template <class Assembled, class Solved>
+auto timed(const Assembled& assembled, const Solved& solved, About& about) {
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
     reset_peak();
     const auto start = Clock::now();
-    System system = example_problems::system(problem, cloud, how);
-    const auto assembled = Clock::now();
-    about.worst = system.worst;
-    example_problems::Solution solution{how, problem.material,
-                                        example_problems::smoothing_lengths(cloud, how),
-                                        batra2008::solved(std::move(system))};
-    about.assembly = Seconds(assembled - start).count();
-    about.solution = Seconds(Clock::now() - assembled).count();
+    auto equations = assembled();
+    const auto middle = Clock::now();
+    auto solution = solved(std::move(equations));
+    about.assembly = Seconds(middle - start).count();
+    about.solution = Seconds(Clock::now() - middle).count();
     about.megabytes = peak();
     return solution;
+}
+
+/// What is asked of a solution, as a function of the place.
+template <class AnySolution, class At>
+auto of_place(const Cloud<2>& cloud, const AnySolution& solution, const At& at) {
+    return [&cloud, solution, at](const Point<2>& x) { return at(cloud, solution, x); };
+}
+
+/// By the methods of the paper.
+Solution solved_by_ssph(const Problem& problem, const Cloud<2>& cloud,
+                        const example_problems::Discretisation& how, About& about) {
+    const auto solution = timed(
+        [&] {
+            System system = example_problems::system(problem, cloud, how);
+            about.worst = system.worst;
+            return system;
+        },
+        [&](System system) {
+            return example_problems::Solution{how, problem.material,
+                                              example_problems::smoothing_lengths(cloud, how),
+                                              batra2008::solved(std::move(system))};
+        },
+        about);
+    return {of_place(cloud, solution, example_problems::displacement_at),
+            of_place(cloud, solution, example_problems::state_at), example_problems::noise(cloud, solution)};
+}
+
+/// By the second-order FPM.
+Solution solved_by_fpm(const Problem& problem, const Cloud<2>& cloud,
+                       const plate_and_hole::Discretisation& how, About& about) {
+    const auto solution = timed(
+        [&] {
+            auto equations = plate_and_hole::collocated(problem, cloud, how);
+            about.worst = equations.system.worst;
+            return equations;
+        },
+        [&](plate_and_hole::Collocated equations) {
+            return plate_and_hole::solved(std::move(equations), problem.material);
+        },
+        about);
+    return {of_place(cloud, solution, plate_and_hole::displacement_at),
+            of_place(cloud, solution, plate_and_hole::state_at),
+            {}};
 }
 
 using Rows = std::vector<std::vector<Cell>>;
@@ -67,7 +109,7 @@ Rows state_rows(const std::vector<Cell>& named, const Solved& solved, const std:
     std::vector<example_problems::State> states(places.size());
     base::for_each_index(static_cast<Index>(places.size()), [&](Index k) {
         const auto at = static_cast<std::size_t>(k);
-        states[at] = example_problems::state_at(solved.cloud, solved.solution, places[at]);
+        states[at] = solved.solution.state(places[at]);
     });
     Rows rows;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -88,11 +130,15 @@ Rows state_rows(const std::vector<Cell>& named, const Solved& solved, const std:
 
 void add_options(CommandLine& app, ExampleOptions& options, const std::string& places) {
     app.column_width(34);
-    app.add_list("--method", options.methods,
-                 "methods: all (default), or some of strong (collocation), weak1, weak2 (MLPG)");
+    app.add_list(
+        "--method", options.methods,
+        "methods: all of the paper (default), or some of strong (collocation), weak1, weak2 (MLPG), and fpm, collocation by the second-order FPM");
     app.add_list("--scaling", options.scaling,
                  "scaling factors rho of the SSPH basis' kernel (default " +
                      base::shown(options.scaling.front()) + ")");
+    app.add_option("--smoothing", options.smoothing,
+                   "fpm: smoothing length over that of --smoothing-from (default 1.2)")
+        .type_name("RATIO");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
            "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest), local (to the farthest of the 4 nearest), mean (the spacing of a grid of as many particles), largest (the largest distance to a nearest particle), a number (for stretched grids), or a file with a number for each particle, FILE or FILE:COLUMN")
@@ -145,6 +191,13 @@ void check_cloud(double particles, double neighbours) {
 
 namespace {
 
+/// The methods by their names: "all" are those of the paper.
+std::vector<std::string> method_names(const ExampleOptions& options) {
+    const std::vector<std::string> of_paper{"strong", "weak1", "weak2"};
+    if (options.methods == std::vector<std::string>{"all"}) return of_paper;
+    return chosen("method", options.methods, {"strong", "weak1", "weak2", "fpm"});
+}
+
 bool is_weak(const std::string& method) {
     return method.starts_with("weak");
 }
@@ -152,14 +205,20 @@ bool is_weak(const std::string& method) {
 /// \throws InvalidInput for an option that changes nothing
 void check_effect(const ExampleOptions& options, const std::vector<std::string>& methods) {
     const ExampleOptions untouched;
+    const auto refuse_without = [&](bool asked, const std::string& option, bool changed,
+                                    const std::string& whose) {
+        if (changed && !asked)
+            throw InvalidInput(option + " belongs to " + whose + " to --method, or leave " + option + " out");
+    };
     const bool weak = std::any_of(methods.begin(), methods.end(), is_weak);
-    for (const auto& [option, changed] : {std::pair{"--gauss", options.gauss != untouched.gauss},
-                                          {"--test-scaling", options.test_scaling != untouched.test_scaling},
-                                          {"--penalty", options.penalty != untouched.penalty}})
-        if (changed && !weak)
-            throw InvalidInput(std::string(option) +
-                               " belongs to the weak forms; add weak1 or weak2 to --method, or leave " +
-                               option + " out");
+    const std::string weak_forms = "the weak forms; add weak1 or weak2";
+    refuse_without(weak, "--gauss", options.gauss != untouched.gauss, weak_forms);
+    refuse_without(weak, "--test-scaling", options.test_scaling != untouched.test_scaling, weak_forms);
+    refuse_without(weak, "--penalty", options.penalty != untouched.penalty, weak_forms);
+    const auto fpm = std::count(methods.begin(), methods.end(), "fpm");
+    refuse_without(fpm > 0, "--smoothing", options.smoothing != untouched.smoothing, "fpm; add it");
+    refuse_without(fpm < std::ssize(methods), "--degree", options.degree != untouched.degree,
+                   "methods with an SSPH basis; add strong, weak1 or weak2");
     const std::string& states = options.states;
     const bool on_a_line =
         !states.empty() && states != "particles" && std::isalpha(static_cast<unsigned char>(states.front()));
@@ -177,7 +236,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
         throw InvalidInput("--quality stands beside errors; leave --states out");
     check_apart({{"--output", options.output}, {"--field", options.field}});
     check_apart({{"--plot", options.figure.path}, {"--field", options.field}});
-    const std::vector<std::string> methods = chosen("method", options.methods, {"strong", "weak1", "weak2"});
+    const std::vector<std::string> methods = method_names(options);
     check_effect(options, methods);
     const auto plane = elastostatics::plane_named(options.plane);
     const particles::Spacing smoothing_from = spacing_from(options.smoothing_from);
@@ -203,7 +262,12 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
 
     std::vector<ExampleCase> all;
     for (const std::string& method : methods)
-        for (const double nu : options.poisson)
+        for (const double nu : options.poisson) {
+            const auto material = elastostatics::checked({E, nu, plane});
+            if (method == "fpm") {
+                all.push_back({method, {}, {options.smoothing, smoothing_from}, material});
+                continue;
+            }
             for (const long degree : options.degree)
                 for (const double scaling : options.scaling)
                     for (const double test_scaling : options.test_scaling)
@@ -213,12 +277,14 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                                    gauss == options.gauss.front() &&
                                                    factor == options.penalty.front();
                                 if (!first && !is_weak(method)) continue;  // collocation takes none of them
-                                const auto material = elastostatics::checked({E, nu, plane});
-                                all.push_back({{example_problems::method_named(method), scaling,
+                                all.push_back({method,
+                                               {example_problems::method_named(method), scaling,
                                                 static_cast<int>(degree), factor * penalty(material),
                                                 test_scaling, gauss, smoothing_from},
+                                               {options.smoothing, smoothing_from},
                                                material});
                             }
+        }
     return all;
 }
 
@@ -228,16 +294,16 @@ std::vector<report::ColumnHead> case_columns() {
 }
 
 std::vector<Cell> case_cells(const ExampleCase& one) {
-    const auto& [how, material] = one;
-    const bool weak = how.method != example_problems::Method::strong;
-    return {example_problems::name(how.method),
+    const auto& how = one.ssph;
+    const bool weak = is_weak(one.method), ssph = !one.is_fpm();
+    return {one.method,
             Cell(),
-            how.scaling,
+            ssph ? Cell(how.scaling) : Cell(),
             weak ? Cell(how.test_scaling) : Cell(),
             weak ? Cell(static_cast<long>(how.gauss)) : Cell(),
-            static_cast<long>(how.degree),
-            material.nu,
-            std::string(material.plane == elastostatics::Plane::stress ? "stress" : "strain"),
+            ssph ? Cell(static_cast<long>(how.degree)) : Cell(),
+            one.material.nu,
+            std::string(one.material.plane == elastostatics::Plane::stress ? "stress" : "strain"),
             weak ? Cell(how.penalty) : Cell()};
 }
 
@@ -332,7 +398,7 @@ void FieldFile::add(const ExampleCase& one, const Solved& solved) {
     for (std::size_t k = 0; !another && k < places.size(); ++k)
         another = exact(first + k) != exact(first - places.size() + k);
     if (another) arrays(numbered("exact"), "_exact");
-    arrays(numbered(example_problems::name(one.how.method)), "");
+    arrays(numbered(one.method), "");
 }
 
 void FieldFile::write() const {
@@ -360,6 +426,10 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
     table_.comments = {
         about,
         "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 of (4.4), dn the difference of the norms, nd the norm of the difference"};
+    if (std::any_of(cases.begin(), cases.end(), [](const ExampleCase& one) { return one.is_fpm(); }))
+        table_.comments.push_back("fpm: (3.12) to (3.14) with (F24), h/" + options.smoothing_from +
+                                  " spacing " + base::shown(options.smoothing) + ", support of " +
+                                  base::shown(plate_and_hole::cut) + " h; between particles (F25)");
     if (options.smoothing_from != "nearest")
         table_.comments.push_back("smoothing lengths from " + options.smoothing_from);
     table_.columns = case_columns();
@@ -382,12 +452,12 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
     std::vector<Point<2>> at;
     if (!options_.states.empty()) at = options_.states == "particles" ? places_at(cloud.x()) : places();
     sweep_.attempt(named, [&] {
-        check_lengths(one.how.smoothing_from, options_.smoothing_from, cloud.size());
+        check_lengths(one.fpm.smoothing_from, options_.smoothing_from, cloud.size());
         About about;
-        const example_problems::Solution solution = solved(problem, cloud, one.how, about);
+        const Solution solution = one.is_fpm() ? solved_by_fpm(problem, cloud, one.fpm, about)
+                                               : solved_by_ssph(problem, cloud, one.ssph, about);
         const Solved found{problem, cloud, solution};
-        const double noise = example_problems::noise(cloud, solution);
-        warn_of(noise, named);
+        if (solution.noise) warn_of(*solution.noise, named);
         note_quality(about.worst, named, cloud);
         Rows rows{named};
         if (!options_.states.empty()) {
@@ -396,7 +466,9 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
             for (const Cell& cell : errors(found)) rows[0].push_back(cell);
             if (options_.seconds)
                 rows[0].insert(rows[0].end(), {about.assembly, about.solution, about.megabytes});
-            if (options_.quality) rows[0].insert(rows[0].end(), {about.worst.R, noise});
+            if (options_.quality)
+                rows[0].insert(rows[0].end(),
+                               {about.worst.R, solution.noise ? Cell(*solution.noise) : Cell()});
         }
         field_.add(one, found);
         return rows;
@@ -405,8 +477,8 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
 
 std::string ExampleTable::in_words(const std::vector<Cell>& named) const {
     const report::Table one{{}, table_.columns, {named}};
-    std::string words = one.word(0, "method") + ", " + one.word(0, "particles") + " particles, scaling " +
-                        one.word(0, "scaling");
+    std::string words = one.word(0, "method") + ", " + one.word(0, "particles") + " particles";
+    if (const std::string scaling = one.word(0, "scaling"); !scaling.empty()) words += ", scaling " + scaling;
     std::vector<std::string> others{"poisson"};
     for (std::size_t k = case_columns().size(); k < named.size(); ++k)
         others.push_back(table_.columns[k].name);

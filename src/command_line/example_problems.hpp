@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "command_line/command_line.hpp"
 #include "command_line/plot.hpp"
 #include "command_line/sweep.hpp"
+#include "fpm_in_space/section_7_plate_and_hole.hpp"
 #include "report/table.hpp"
 
 namespace command_line {
@@ -18,6 +20,7 @@ struct ExampleOptions {
     std::vector<std::string> methods{"all"};
     std::vector<double> scaling{3}, test_scaling{1}, penalty{1}, poisson{0.33};
     std::vector<long> gauss{10}, degree{2};
+    double smoothing = 1.2;
     std::string plane = "stress", smoothing_from = "nearest";
     std::string states, field;
     long points = 101;
@@ -41,8 +44,14 @@ void check_cloud(double particles, double neighbours);
 
 /// One thing to solve: a method with its parameters, and a material.
 struct ExampleCase {
-    batra2008::example_problems::Discretisation how;
+    std::string method;
+    batra2008::example_problems::Discretisation ssph;  ///< of strong, weak1 and weak2
+    fpm_in_space::plate_and_hole::Discretisation fpm;
     batra2008::elastostatics::Material material;
+
+    [[nodiscard]] bool is_fpm() const { return method == "fpm"; }
+    /// Whether the method imposes conditions at the particles of the boundary, corners among them.
+    [[nodiscard]] bool is_collocation() const { return method == "strong" || is_fpm(); }
 };
 
 /// All cases of the options, method by method.
@@ -52,11 +61,28 @@ std::vector<ExampleCase> cases(
     const ExampleOptions& options, double E,
     const std::function<double(const batra2008::elastostatics::Material&)>& penalty);
 
+/// A solution by any of the methods.
+struct Solution {
+    std::function<batra2008::Vector(const batra2008::Point<2>&)> displacement;
+    std::function<batra2008::example_problems::State(const batra2008::Point<2>&)> state;
+    std::optional<double> noise;  ///< of methods whose field need not meet the unknowns
+};
+
+/// What the example problems ask of a solution.
+inline batra2008::Vector displacement_at(const batra2008::Cloud<2>& /*cloud*/, const Solution& solution,
+                                         const batra2008::Point<2>& x) {
+    return solution.displacement(x);
+}
+inline batra2008::example_problems::State state_at(const batra2008::Cloud<2>& /*cloud*/,
+                                                   const Solution& solution, const batra2008::Point<2>& x) {
+    return solution.state(x);
+}
+
 /// A solution with its problem and particles.
 struct Solved {
     const batra2008::Problem& problem;
     const batra2008::Cloud<2>& cloud;
-    const batra2008::example_problems::Solution& solution;
+    const Solution& solution;
 };
 
 /// Columns that name a case, and the cells that fill them.

@@ -96,21 +96,29 @@ void add_farthest(std::vector<Point<2>>& x, const std::vector<Point<2>>& places,
     }
 }
 
-void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, std::size_t fixed) {
-    const Cloud<2> cloud(columns(x));
+void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, std::size_t fixed,
+                     int rounds) {
     std::vector<int> nearest(places.size());
-    for_each_index(static_cast<Index>(places.size()), [&](Index k) {
-        nearest[static_cast<std::size_t>(k)] = cloud.nearest(places[static_cast<std::size_t>(k)]);
-    });
-    std::vector<Point<2>> sum(x.size(), Point<2>::Zero());
-    std::vector<int> count(x.size(), 0);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const auto owner = static_cast<std::size_t>(nearest[k]);
-        sum[owner] += places[k];
-        ++count[owner];
+    for (int round = 0; round < rounds; ++round) {
+        const Cloud<2> cloud(columns(x));
+        for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+            const Point<2>& place = places[static_cast<std::size_t>(k)];
+            int& owner = nearest[static_cast<std::size_t>(k)];
+            // Well within half its distance from the next particle, a particle is nearer than all others.
+            const double safe = 0.499 * cloud.apart()[owner];
+            if (round == 0 || (place - cloud.x().col(owner)).squaredNorm() > safe * safe)
+                owner = static_cast<int>(cloud.nearest(place));
+        });
+        std::vector<Point<2>> sum(x.size(), Point<2>::Zero());
+        std::vector<int> count(x.size(), 0);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto owner = static_cast<std::size_t>(nearest[k]);
+            sum[owner] += places[k];
+            ++count[owner];
+        }
+        for (std::size_t j = fixed; j < x.size(); ++j)
+            if (count[j] > 0) x[j] = sum[j] / count[j];
     }
-    for (std::size_t j = fixed; j < x.size(); ++j)
-        if (count[j] > 0) x[j] = sum[j] / count[j];
 }
 
 Points<2> graded_layout(const QuarterWithHole& shape, Index N, Index on_arc, unsigned long seed) {
@@ -123,8 +131,7 @@ Points<2> graded_layout(const QuarterWithHole& shape, Index N, Index on_arc, uns
                            std::to_string(fixed) + " particles in all");
     const std::vector<Point<2>> places = logarithmic::random_places(shape, 60 * N, seed);
     add_farthest(x, places, N);
-    constexpr int rounds = 60;
-    for (int round = 0; round < rounds; ++round) move_to_centres(x, places, fixed);
+    move_to_centres(x, places, fixed, 60);
     Points<2> layout(2, N);
     for (Index j = 0; j < N; ++j) layout.col(j) = logarithmic::place(shape, x[static_cast<std::size_t>(j)]);
     return layout;

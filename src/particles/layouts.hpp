@@ -41,11 +41,12 @@ std::vector<Point<2>> random_places(const QuarterWithHole& shape, Index count, u
 void add_farthest(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, Index N);
 
 /// Moves each particle to the centre of the places nearest to it (Lloyd), except the first few.
-/// \param fixed number of particles that stay
-void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, std::size_t fixed);
+/// \param fixed number of particles that stay \param rounds how often
+void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, std::size_t fixed,
+                     int rounds = 1);
 
 /// Particles whose distances grow in proportion to r. In the logarithmic plane those on the boundary have
-/// equal distances; the others start by add_farthest() and move by move_to_centres(), 60 times. The result is
+/// equal distances; the others start by add_farthest() and move by move_to_centres() in 60 rounds. The result is
 /// a hexagonal pattern with faults. No curve of second degree runs through a neighbourhood, so that local
 /// fits of quadratics are well conditioned.
 /// \param N number of particles

@@ -29,8 +29,8 @@ struct Options : command_line::ExampleOptions {
 
 /// \throws base::InvalidInput unless each method has one stress along the x₂-axis
 void check_drawable(const Options& options, const std::vector<ExampleCase>& cases) {
-    std::set<example_problems::Method> methods;
-    for (const auto& [how, material] : cases) methods.insert(how.method);
+    std::set<std::string> methods;
+    for (const ExampleCase& one : cases) methods.insert(one.method);
     const std::size_t clouds = options.layouts.size() * options.radii.size() * options.draws;
     if (options.states != "x2-axis" || clouds > 1 || methods.size() < cases.size())
         throw base::InvalidInput(

@@ -18,7 +18,6 @@ namespace {
 
 using namespace batra2008;
 using command_line::ExampleCase;
-using example_problems::Method;
 using report::Cell;
 using Pair = std::array<std::string, 2>;
 
@@ -59,8 +58,8 @@ std::vector<plate::Corners> choices_of(const std::array<std::string, 4>& corners
 
 /// \throws base::InvalidInput unless each method has one error for each grid, or one for each scaling factor
 void check_drawable(const Options& options, const std::vector<ExampleCase>& cases, std::size_t choices) {
-    std::set<std::pair<Method, double>> curves;
-    for (const auto& [how, material] : cases) curves.insert({how.method, how.scaling});
+    std::set<std::pair<std::string, double>> curves;
+    for (const ExampleCase& one : cases) curves.insert({one.method, one.ssph.scaling});
     if (!options.states.empty() || curves.size() < cases.size() || choices > 1 ||
         std::min(options.scaling.size(), options.grids.size()) > 1)
         throw base::InvalidInput(
@@ -96,10 +95,10 @@ std::vector<Point<2>> places(const Options& options) {
 }
 
 /// Cells that name a grid and, for collocation, the conditions at the corners; the weak forms impose none.
-std::vector<Cell> named(long nx, long ny, Method method, const plate::Corners& corners) {
+std::vector<Cell> named(long nx, long ny, const ExampleCase& one, const plate::Corners& corners) {
     std::vector<Cell> cells{nx, ny};
     for (const auto& [first, second] : corners)
-        cells.push_back(method == Method::strong ? Cell(first + " " + second) : Cell());
+        cells.push_back(one.is_collocation() ? Cell(first + " " + second) : Cell());
     return cells;
 }
 
@@ -112,12 +111,13 @@ std::vector<Cell> errors(const command_line::Solved& solved, long nx, long ny) {
 
 /// \throws base::InvalidInput for conditions at the corners without collocation, which alone imposes them
 void check_corners(const Options& options, const std::vector<ExampleCase>& cases) {
-    const bool strong = std::any_of(cases.begin(), cases.end(),
-                                    [](const ExampleCase& one) { return one.how.method == Method::strong; });
+    const bool collocation =
+        std::any_of(cases.begin(), cases.end(), [](const ExampleCase& one) { return one.is_collocation(); });
     for (std::size_t k = 0; k < options.corners.size(); ++k)
         if (const std::string option = "--corner-" + std::to_string(k + 1);
-            !strong && options.corners[k] != Options().corners[k])
-            throw base::InvalidInput(option + " belongs to collocation; add strong to --method, or leave " +
+            !collocation && options.corners[k] != Options().corners[k])
+            throw base::InvalidInput(option +
+                                     " belongs to collocation; add strong or fpm to --method, or leave " +
                                      option + " out");
 }
 
@@ -154,10 +154,10 @@ report::Table table_of(const Options& options) {
         for (const auto& [nx, ny] : grids)
             for (const plate::Corners& corners : choices) {
                 progress.step();
-                if (one.how.method != Method::strong && &corners != &choices.front()) continue;
+                if (!one.is_collocation() && &corners != &choices.front()) continue;
                 table.add(
                     one, plate::problem(one.material, corners), Cloud<2>(plate::grid(nx, ny)),
-                    named(nx, ny, one.how.method, corners), [&] { return places(options); },
+                    named(nx, ny, one, corners), [&] { return places(options); },
                     [nx = nx, ny = ny](const command_line::Solved& solved) {
                         return errors(solved, nx, ny);
                     });

@@ -66,8 +66,7 @@ double difference_from_ssph() {
     for (int sides = 0; sides <= dim; ++sides)
         for (unsigned seed = 1; seed <= 10; ++seed) {
             const auto near = random_neighbourhood<Scalar, dim>(10 * terms<dim, 3>, sides, seed);
-            const auto ours = derivatives(near).second,
-                       theirs = claims::ssph_with_value_given<3>(near).second;
+            const auto ours = derivatives(near).second, theirs = ssph_with_value_given<3>(near).second;
             most = std::max(most,
                             static_cast<double>((ours - theirs).abs().maxCoeff() / theirs.abs().maxCoeff()));
         }

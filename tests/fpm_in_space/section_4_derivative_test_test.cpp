@@ -136,9 +136,8 @@ TEST_CASE("derivative test in space, (F16): largest errors on grids are those of
 
 TEST_CASE(
     "derivative test in space: errors of SSPH with the value given are those of that calculation, too, of second order in second derivatives from degree 3 on") {
-    const Formulation<double, 2> quadratic{
-        "quadratic", "", 6, {2, 2}, claims::ssph_with_value_given<2, double, 2>};
-    const Formulation<double, 2> cubic{"cubic", "", 10, {3, 3}, claims::ssph_with_value_given<3, double, 2>};
+    const Formulation<double, 2> quadratic{"quadratic", "", 6, {2, 2}, ssph_with_value_given<2, double, 2>};
+    const Formulation<double, 2> cubic{"cubic", "", 10, {3, 3}, ssph_with_value_given<3, double, 2>};
     const AtParticle coarse = on_grid(quadratic, 16), middle = on_grid(quadratic, 31),
                      fine = on_grid(quadratic, 61), by_cubic = on_grid(cubic, 61);
     CHECK(middle.first == support::relative(4.197e-3, 1e-3));

@@ -9,6 +9,7 @@
 
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "fpm_in_space/section_4_derivative_test.hpp"
+#include "fpm_in_space/ssph_with_value_given.hpp"
 #include "report/ledger.hpp"
 #include "report/table.hpp"
 
@@ -44,22 +45,6 @@ Smoothing<double, dim> gaussian(double spacing) {
 template <int dim>
 Smoothing<double, dim> cut_gaussian(double spacing) {
     return {particles::TruncatedGaussian<dim>(dim == 2 ? 3.5 : 3), 1.2 * spacing};
-}
-
-/// The derivatives by the SSPH basis \eq{B2.8} of degree m whose expansion takes the value at the particle as
-/// given: without the constant monomial, on differences, weighted by W V.
-template <int m, class Scalar, int dim>
-Derivatives<Scalar, dim> ssph_with_value_given(const Neighbourhood<Scalar, dim>& near) {
-    namespace ssph = batra2008::ssph_basis;
-    const Table<Scalar> H = ssph::H<dim, m, Scalar>(near.r).bottomRows(terms<dim, m> - 1);
-    const Table<Scalar> D = ssph::D<Scalar>(H, near.W * near.V);
-    const solvers::Cholesky<Scalar> factors(ssph::C<Scalar>(D, H));
-    Table<Scalar> all = particles::solved(factors, D).topRows(dim + second_derivatives<dim>);
-    static constexpr auto a = particles::monomials<dim, 2>();
-    for (Index n = 0; n < all.rows(); ++n)
-        all.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));
-    return {all.topRows(dim).transpose().array(),
-            all.bottomRows(second_derivatives<dim>).transpose().array()};
 }
 
 /// Largest errors of DB and D²B.
