@@ -259,6 +259,8 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
             throw InvalidInput("monomials of degree 1, 2 or 3 are known, not " + std::to_string(degree));
     for (const double factor : options.penalty)
         if (!(factor > 0)) throw InvalidInput("--penalty must be positive");
+    if (!(std::isfinite(options.smoothing) && options.smoothing > 0))
+        throw InvalidInput("--smoothing must be positive and finite, got " + base::shown(options.smoothing));
 
     std::vector<ExampleCase> all;
     for (const std::string& method : methods)

@@ -27,6 +27,22 @@ TEST_CASE("plate: columns by their names, and the printed numbers of the three m
     CHECK(std::abs(number(0, "max_error_u2_percent") - expected("B-4.1-u2-strong")) < 0.01);
 }
 
+TEST_CASE(
+    "plate: fpm is collocation, takes the conditions at corners, and has no degree and no scaling factor") {
+    const auto [code, output, errors] =
+        run("plate --method strong,fpm --particles 31x7 --corner-1 all --quality");
+    CHECK(code == 0);
+    CHECK(errors.empty());
+    const auto table = report::parsed(output);
+    REQUIRE(table.rows.size() == 6);
+    CHECK(table.word(5, "method") == "fpm");
+    CHECK(table.word(5, "corner_1") == "s22 s12");
+    for (const char* column : {"degree", "scaling", "gauss", "penalty", "noise"})
+        CHECK(table.word(5, column).empty());
+    CHECK(std::get<double>(table.rows[3][table.column("log_error_nd")]) < -1.5);
+    CHECK(output.find("# fpm: (3.12) to (3.14) with (F24), h/nearest spacing 1.2") != std::string::npos);
+}
+
 TEST_CASE("plate: the same bytes on any number of threads") {
     const std::string command = "plate --particles 16x4,21x5 --gauss 4";
     const auto alone = run(command + " --threads 1");

@@ -1,5 +1,7 @@
 #include "fpm_in_space/claims/measures.hpp"
 
+#include <gsl/gsl_statistics_double.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -97,6 +99,11 @@ std::vector<Errors> errors_in_table(const DataTable& of, std::string_view formul
         by_place.push_back({of.number(row, "error_first"), of.number(row, "error_second")});
     }
     return by_place;
+}
+
+double rank_correlation(const std::vector<double>& one, const std::vector<double>& other) {
+    std::vector<double> work(2 * one.size());
+    return gsl_stats_spearman(one.data(), 1, other.data(), 1, one.size(), work.data());
 }
 
 Errors largest(const std::vector<Errors>& by_place) {

@@ -86,6 +86,9 @@ template <int dim>
 std::vector<Errors> errors_in_table(const DataTable& of, std::string_view formulation, Index n,
                                     double perturbation);
 
+/// Spearman's rank correlation.
+double rank_correlation(const std::vector<double>& one, const std::vector<double>& other);
+
 /// Largest of all places.
 Errors largest(const std::vector<Errors>& by_place);
 

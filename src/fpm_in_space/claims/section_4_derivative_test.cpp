@@ -1,7 +1,5 @@
 #include "fpm_in_space/section_4_derivative_test.hpp"
 
-#include <gsl/gsl_statistics_double.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -78,12 +76,6 @@ double least_order(double Errors::*derivative) {
 /// Largest errors in the plane on 61² particles.
 Errors errors_of_61() {
     return largest(errors_by_place<2>("definite_fpm", 61, 0, gaussian<2>, every));
-}
-
-/// Spearman's rank correlation.
-double rank_correlation(const std::vector<double>& one, const std::vector<double>& other) {
-    std::vector<double> work(2 * one.size());
-    return gsl_stats_spearman(one.data(), 1, other.data(), 1, one.size(), work.data());
 }
 
 /// What orders the errors of the second derivatives of ln r at the particles around the hole.
