@@ -29,8 +29,31 @@ double exponential_and_wave(const Point<dim>& x, const Exponents<dim>& a) {
     return growth + wave;
 }
 
+namespace {
+
+/// \throws InvalidInput
+void check_growth(double growth) {
+    if (!(growth >= 1e-3 && growth <= 1e3))
+        throw InvalidInput("distances grow by a factor from 0.001 to 1000, got " + base::shown(growth));
+}
+
+}  // namespace
+
+double stretched(double s, double growth) {
+    check_growth(growth);
+    return growth == 1 ? s : (std::pow(growth, s) - 1) / (growth - 1);
+}
+
 template <int dim>
-Body<dim> body(Index n, double perturbation, unsigned long seed) {
+double stretched_spacing(const Point<dim>& x, double spacing, double growth) {
+    check_growth(growth);
+    if (growth == 1) return spacing;
+    // dx/ds = log(G) Gˢ / (G − 1), and Gˢ = 1 + (G − 1) x
+    return spacing * std::log(growth) / (growth - 1) * (1 + ((growth - 1) * x.array()).maxCoeff());
+}
+
+template <int dim>
+Body<dim> body(Index n, double perturbation, unsigned long seed, double growth) {
     if (n < 3) throw InvalidInput("a side needs at least 3 particles, got " + std::to_string(n));
     if (!(perturbation >= 0 && perturbation < 0.5))
         throw InvalidInput("the perturbation must lie in [0, 1/2), got " + base::shown(perturbation));
@@ -54,7 +77,7 @@ Body<dim> body(Index n, double perturbation, unsigned long seed) {
             const double moved =
                 on_side || perturbation == 0 ? 0 : random.uniform(-perturbation, perturbation);
             one.sides += on_side ? 1 : 0;
-            coordinate = (static_cast<double>(k) + moved) / static_cast<double>(n - 1);
+            coordinate = stretched((static_cast<double>(k) + moved) / static_cast<double>(n - 1), growth);
         }
         all.push_back(one);
     }
@@ -171,8 +194,10 @@ AtParticle largest(const std::vector<AtParticle>& all) {
 
 template double exponential_and_wave<2>(const Point<2>&, const Exponents<2>&);
 template double exponential_and_wave<3>(const Point<3>&, const Exponents<3>&);
-template Body<2> body(Index, double, unsigned long);
-template Body<3> body(Index, double, unsigned long);
+template Body<2> body(Index, double, unsigned long, double);
+template Body<3> body(Index, double, unsigned long, double);
+template double stretched_spacing<2>(const Point<2>&, double, double);
+template double stretched_spacing<3>(const Point<3>&, double, double);
 template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 2>&, const Cloud<2>&,
                                                      const Smoothing<double, 2>&, const Column<double>&,
                                                      const Function<2>&, const std::vector<Range>&);

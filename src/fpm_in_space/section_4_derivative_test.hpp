@@ -81,11 +81,26 @@ struct Body {
 /// A grid of \f$n^d\f$ particles, each moved at random along the sides that it lies on. \defeq{F15}
 /// \f[ x_j = \delta\,(j + a\,U(-1, 1)), \qquad \delta = \frac{1}{n - 1} \tag{F15} \f]
 /// in each coordinate with 0 < j < n − 1; others stay 0 or 1. Volumes are equal. The particles of a place are
-/// in random order, so that its first ones are a sample.
+/// in random order, so that its first ones are a sample. A stretched grid has these coordinates mapped by
+/// stretched(): where one axis is stretched and the other is not yet, its cells are as many times longer than
+/// wide.
 /// \param perturbation a, in units of δ \param seed of the displacements, and of the order
-/// \throws base::InvalidInput for n < 3 and a perturbation outside [0, 1/2)
+/// \param growth G of stretched()
+/// \throws base::InvalidInput for n < 3, a perturbation outside [0, 1/2), and as stretched()
 template <int dim>
-Body<dim> body(Index n, double perturbation, unsigned long seed);
+Body<dim> body(Index n, double perturbation, unsigned long seed, double growth = 1);
+
+/// A map of [0, 1] onto itself along which distances grow by a factor,
+/// \f[ x = \frac{G^s - 1}{G - 1} \f]
+/// \param growth G; 1 leaves all places where they are
+/// \throws base::InvalidInput for G outside [1/1000, 1000]
+double stretched(double s, double growth);
+
+/// The distance of the neighbours of a stretched grid along the axes at a place, the largest of them. A
+/// smoothing length that follows it sees enough particles along all axes. [length]
+/// \param spacing δ of the grid before it is stretched
+template <int dim>
+double stretched_spacing(const Point<dim>& x, double spacing, double growth);
 
 /// What the test finds at a particle.
 struct AtParticle {
@@ -115,8 +130,10 @@ AtParticle largest(const std::vector<AtParticle>& all);
 // Compiled once: section_4_derivative_test.cpp.
 extern template double exponential_and_wave<2>(const Point<2>&, const Exponents<2>&);
 extern template double exponential_and_wave<3>(const Point<3>&, const Exponents<3>&);
-extern template Body<2> body(Index, double, unsigned long);
-extern template Body<3> body(Index, double, unsigned long);
+extern template Body<2> body(Index, double, unsigned long, double);
+extern template Body<3> body(Index, double, unsigned long, double);
+extern template double stretched_spacing<2>(const Point<2>&, double, double);
+extern template double stretched_spacing<3>(const Point<3>&, double, double);
 extern template std::vector<std::vector<AtParticle>> errors(const Formulation<double, 2>&, const Cloud<2>&,
                                                             const Smoothing<double, 2>&,
                                                             const particles::Column<double>&,

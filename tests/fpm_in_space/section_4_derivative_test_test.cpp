@@ -249,3 +249,23 @@ TEST_CASE("derivative test in space: what cannot be tested is refused") {
                            {Range{0, square.cloud.size()}}),
                     base::InvalidInput);
 }
+
+TEST_CASE(
+    "derivative test in space: distances of a stretched grid grow by the factor, and sides stay sides") {
+    CHECK(stretched(0.3, 1) == 0.3);
+    for (const double growth : {0.1, 10.0}) {
+        CHECK(stretched(0, growth) == 0);
+        CHECK(stretched(1, growth) == 1);
+        const double first = stretched(1e-4, growth), last = 1 - stretched(1 - 1e-4, growth);
+        CHECK(last / first == support::relative(growth, 1e-3));
+        CHECK(stretched_spacing<2>(Point<2>(0, 0), 1e-4, growth) == support::relative(first, 1e-3));
+        CHECK(stretched_spacing<3>(Point<3>(0, 1, 0), 1e-4, growth) ==
+              support::relative(std::max(first, last), 1e-3));
+    }
+    const Body<2> square = body<2>(9, 0.25, 1), mapped = body<2>(9, 0.25, 1, 10);
+    for (Index j = 0; j < square.cloud.size(); ++j)
+        for (Index axis = 0; axis < 2; ++axis)
+            CHECK(mapped.cloud.x()(axis, j) == stretched(square.cloud.x()(axis, j), 10));
+    CHECK_THROWS_WITH_AS(stretched(0.5, 0), "distances grow by a factor from 0.001 to 1000, got 0",
+                         base::InvalidInput);
+}

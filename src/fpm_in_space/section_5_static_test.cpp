@@ -1,0 +1,223 @@
+#include "fpm_in_space/section_5_static_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/choose.hpp"
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "batra2008/basis_at.hpp"
+#include "batra2008/section_2_ssph_basis.hpp"
+#include "particles/quality.hpp"
+#include "particles/requirement.hpp"
+#include "solvers/sparse.hpp"
+
+namespace fpm_in_space::static_test {
+
+namespace ssph_basis = batra2008::ssph_basis;
+using base::FailedComputation;
+using base::InvalidInput;
+using base::shown;
+
+namespace {
+
+const std::vector<std::pair<std::string, Conditions>>& known_conditions() {
+    static const std::vector<std::pair<std::string, Conditions>> all{
+        {"dirichlet", Conditions::dirichlet}, {"mixed", Conditions::mixed}, {"neumann", Conditions::neumann}};
+    return all;
+}
+
+/// The multi-index of a derivative of some order along an axis.
+template <int dim>
+Exponents<dim> along(int axis, int order) {
+    Exponents<dim> a{};
+    a[static_cast<std::size_t>(axis)] = order;
+    return a;
+}
+
+template <int dim>
+double laplacian(const Function<dim>& B, const Point<dim>& x) {
+    double sum = 0;
+    for (int axis = 0; axis < dim; ++axis) sum += B(x, along<dim>(axis, 2));
+    return sum;
+}
+
+template <int dim>
+Point<dim> gradient(const Function<dim>& B, const Point<dim>& x) {
+    Point<dim> all;
+    for (int axis = 0; axis < dim; ++axis) all[axis] = B(x, along<dim>(axis, 1));
+    return all;
+}
+
+/// \throws InvalidInput
+template <int dim>
+void require_sides(const Cloud<dim>& cloud) {
+    for (Index i = 0; i < cloud.size(); ++i)
+        if (const auto x = cloud.x().col(i).array(); (x < 0).any() || (x > 1).any())
+            throw InvalidInput(
+                "the static test needs particles between 0 and 1 along each axis, and particle " +
+                std::to_string(i) + " lies at " + particles::position_in_words(cloud, i) +
+                "; move and scale them");
+    for (int axis = 0; axis < dim; ++axis)
+        for (const double end : {0.0, 1.0})
+            if (!(cloud.x().row(axis).array() == end).any())
+                throw InvalidInput("the static test needs particles on all sides, and there is none with x" +
+                                   std::to_string(axis + 1) + " = " + shown(end) + "; add them");
+}
+
+/// Moves the rows of some particles from the operators.
+template <int dim>
+void take(const particles::Operators<double, dim>& operators, Index row, Index i, Row<dim>& at) {
+    const auto& pattern = operators.D[0];
+    const int first = pattern.outerIndexPtr()[row], count = pattern.outerIndexPtr()[row + 1] - first;
+    const auto weights = [&](const particles::Operator<double>& D) {
+        return Eigen::Map<const Column<double>>(D.valuePtr() + first, count);
+    };
+    at.particle.assign(pattern.innerIndexPtr() + first, pattern.innerIndexPtr() + first + count);
+    at.own = std::lower_bound(at.particle.begin(), at.particle.end(), i) - at.particle.begin();
+    at.first.resize(count, dim);
+    at.laplacian = Column<double>::Zero(count);
+    for (int axis = 0; axis < dim; ++axis) {
+        at.first.col(axis) = weights(operators.D[static_cast<std::size_t>(axis)]);
+        at.laplacian += weights(operators.D2[static_cast<std::size_t>(axis)]);
+    }
+}
+
+template <int dim>
+double quality(const Row<dim>& at, const Cloud<dim>& cloud, Index i, double delta, int exact) {
+    Offsets<double, dim> r(at.laplacian.size(), dim);
+    for (Index k = 0; k < r.rows(); ++k)
+        r.row(k) = (cloud.x().col(at.particle[static_cast<std::size_t>(k)]) - cloud.x().col(i)).transpose();
+    return particles::quality<double, dim>(at.laplacian * delta * delta, r / delta, exact);
+}
+
+constexpr Index block = 512;  // rows whose operators are in memory at once
+
+template <int dim>
+std::vector<Row<dim>> rows_of(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
+                              const Smoothing<double, dim>& smoothing, const Column<double>& spacing) {
+    std::vector<Row<dim>> all(static_cast<std::size_t>(cloud.size()));
+    for (Index first = 0; first < cloud.size(); first += block) {
+        const Range some{first, std::min(first + block, cloud.size())};
+        const auto operators =
+            particles::assemble(cloud, smoothing, formulation.required(), formulation.weights, some);
+        base::for_each_index(some.size(), [&](Index row) {
+            const Index i = first + row;
+            Row<dim>& at = all[static_cast<std::size_t>(i)];
+            take<dim>(operators, row, i, at);
+            at.R = quality<dim>(at, cloud, i, spacing[spacing.size() == 1 ? 0 : i], formulation.exact.second);
+        });
+    }
+    return all;
+}
+
+template <int dim>
+std::vector<std::vector<int>> neighbours(const std::vector<Row<dim>>& rows) {
+    std::vector<std::vector<int>> near;
+    near.reserve(rows.size());
+    for (const Row<dim>& at : rows) near.push_back(at.particle);
+    return near;
+}
+
+/// The equations of all particles.
+template <int dim>
+solvers::SparseRows system(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud, const Function<dim>& B,
+                           Conditions conditions, Eigen::VectorXd& given) {
+    solvers::SparseRows A = solvers::rows_in_blocks(neighbours(rows), 1);
+    given.resize(cloud.size());
+    base::for_each_index(cloud.size(), [&](Index i) {
+        const Row<dim>& at = rows[static_cast<std::size_t>(i)];
+        const Equation equation = equation_at<dim>(at, cloud.x().col(i), B, conditions);
+        solvers::set_row(A, i, at.particle, equation.weights);
+        given[i] = equation.given;
+    });
+    return A;
+}
+
+/// \throws InvalidInput
+template <int dim>
+void require_finite(const Eigen::VectorXd& given, const Cloud<dim>& cloud) {
+    for (Index i = 0; i < cloud.size(); ++i)
+        if (!std::isfinite(given[i]))
+            throw InvalidInput("the function or a derivative is not finite at particle " + std::to_string(i) +
+                               " (" + particles::position_in_words(cloud, i) + "); take another function");
+}
+
+}  // namespace
+
+std::vector<std::string> condition_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, conditions] : known_conditions()) names.push_back(name);
+    return names;
+}
+
+Conditions conditions_named(std::string_view wanted) {
+    return base::choose("conditions", wanted, known_conditions());
+}
+
+template <int dim>
+Equation equation_at(const Row<dim>& at, const Point<dim>& x, const std::type_identity_t<Function<dim>>& B,
+                     Conditions conditions) {
+    const Point<dim> n = outward<dim>(x);
+    const double u = B(x, {}), c = reaction(conditions);
+    if (n.isZero()) return balance(at, c, c * u - laplacian<dim>(B, x));
+    if (has_value<dim>(conditions, n)) return value(at, u);
+    return flux<dim>(at, n, gradient<dim>(B, x).dot(n));
+}
+
+template <int dim>
+std::vector<Row<dim>> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
+                           const Smoothing<double, dim>& smoothing, const Column<double>& spacing) {
+    require_sides(cloud);
+    std::vector<Row<dim>> rows = rows_of<dim>(formulation, cloud, smoothing, spacing);
+    for (Index i = 0; i < cloud.size(); ++i)
+        if (const double R = rows[static_cast<std::size_t>(i)].R;
+            outward<dim>(cloud.x().col(i)).isZero() && !(R <= ssph_basis::most))
+            throw FailedComputation(
+                std::string(formulation.name) + ": the Laplacian of particle " + std::to_string(i) + " (" +
+                particles::position_in_words(cloud, i) + ") has the quality number " + shown(R, 3) +
+                ", more than " + shown(ssph_basis::most, 3) +
+                ": no solution by it can be trusted; take another formulation, or a larger smoothing length");
+    return rows;
+}
+
+template <int dim>
+Column<double> solution(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud,
+                        const std::type_identity_t<Function<dim>>& B, Conditions conditions) {
+    Eigen::VectorXd given;
+    solvers::SparseRows A = system<dim>(rows, cloud, B, conditions, given);
+    require_finite(given, cloud);
+    return solvers::solve_sparse(std::move(A), given).array();
+}
+
+template <int dim>
+std::vector<AtParticle> errors(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud,
+                               const std::type_identity_t<Function<dim>>& B, const Column<double>& u) {
+    std::vector<AtParticle> all(rows.size());
+    base::for_each_index(cloud.size(), [&](Index i) {
+        const Row<dim>& at = rows[static_cast<std::size_t>(i)];
+        const Point<dim> x = cloud.x().col(i);
+        const Column<double> difference = u(at.particle) - u[i];
+        const Point<dim> missed = at.first.matrix().transpose() * difference.matrix() - gradient<dim>(B, x);
+        all[static_cast<std::size_t>(i)] = {i, std::abs(u[i] - B(x, {})), missed.cwiseAbs().maxCoeff(), at.R};
+    });
+    return all;
+}
+
+AtParticle largest(const std::vector<AtParticle>& all, const Range& place) {
+    AtParticle most{-1, 0, 0, 0};
+    for (Index i = place.first; i < place.last; ++i) {
+        const AtParticle& one = all[static_cast<std::size_t>(i)];
+        if (most.particle < 0 || one.value > most.value) most.particle = one.particle;
+        most.value = std::max(most.value, one.value);
+        most.first = std::max(most.first, one.first);
+        most.R = std::max(most.R, one.R);
+    }
+    return most;
+}
+
+FPM_IN_SPACE_STATIC_TEST(, 2)
+FPM_IN_SPACE_STATIC_TEST(, 3)
+
+}  // namespace fpm_in_space::static_test
