@@ -34,10 +34,10 @@ namespace fpm_in_space {
 /// that need not meet the value at the particle hardly sees values that alternate. The original SPH does not
 /// see them at all, and has hundreds of frequencies below the lowest exact one.
 ///
-/// **On perturbed particles** the frequencies change little, but the matrices are not symmetric: half of the
-/// modes belong to complex pairs, of which one grows and one decays. With the second-order FPM no imaginary
-/// part exceeds 0.8 percent of the real one. Finite elements have none. Of the original SPH dozens of
-/// displacements grow without a vibration.
+/// **On perturbed particles** the frequencies change little. But only the matrices of finite elements are
+/// symmetric: half of the modes by the second-order FPM belong to complex pairs, of which one grows and one
+/// decays, where the grid has three pairs. No imaginary part exceeds 0.8 percent of the real one. Of the
+/// original SPH dozens of displacements grow without a vibration.
 ///
 /// \image html fpm_in_space_figure_membrane.svg "Frequencies of a membrane over the exact ones: on a grid and on perturbed particles."
 ///
@@ -88,10 +88,10 @@ enum class On { differences, values };
 /// \f[ K_{ij} = \sum_a \sum_k D_{a,ik}\,D_{a,kj}, \qquad
 ///     D_a B(x_i) = \sum_j [B(x_i) - B(x_j)]\,\partial_a W_i(x_j)\,V_j \tag{F22} \f]
 /// On a line it is the first paper's. Where h is wide, \f$\mathbf{K}\f$ is the Laplacian of the Gaussian of
-/// \f$\sqrt{2}\,h\f$ inside a grid, but not beside the sides. It is not symmetric where the particles are
-/// perturbed, since each difference has \f$B(x_i)\f$, too. With weights on the values \f$D_a\f$ is
-/// antisymmetric where volumes are equal, and K symmetric; but then the derivative of a constant is not zero
-/// on perturbed particles.
+/// \f$\sqrt{2}\,h\f$ inside a grid, but not beside the sides. It is not symmetric beside the sides and
+/// where the particles are perturbed, since each difference has \f$B(x_i)\f$, too. With weights on the values
+/// \f$D_a\f$ is antisymmetric where volumes are equal, and K symmetric; but then the derivative of a constant
+/// is not zero there.
 template <int dim>
 SparseRows original_stiffness(const Body<dim>& body, const Smoothing<double, dim>& smoothing,
                               On weights = On::differences);
