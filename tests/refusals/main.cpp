@@ -40,6 +40,7 @@ const std::map<std::string, std::vector<Words>> other_options = {
     {"constants",
      {{"--formulation", "fpm"}, {"--kernel", "gaussian"}, {"--smoothing", "1"}, {"--volumes", "equal"}}},
     {"derivative_test_in_space", {{"--formulation", "ssph"}, {"--particles", "8"}}},
+    {"static_test_in_space", {{"--formulation", "ssph"}, {"--particles", "8"}}},
     {"vibration_test_in_space", {{"--formulation", "ssph"}, {"--particles", "8"}, {"--lowest", "2"}}},
     {"constants_in_space", {{"--dimension", "2"}, {"--formulation", "ssph"}, {"--smoothing", "1"}}},
     {"orders", {{"--from", "1"}, {"--to", "1"}, {"--step", "1e3"}, {"--seeds", "1"}}},

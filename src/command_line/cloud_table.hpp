@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "command_line/clouds.hpp"
+#include "report/table.hpp"
+
+namespace command_line {
+
+/// What a test finds at the particles of a place: three numbers at each.
+struct Found {
+    std::vector<std::string> keys;  ///< that name the place, in the columns `CloudTest::keys`
+    std::vector<particles::Index> particles;
+    std::vector<std::array<double, 3>> numbers;
+};
+
+/// A test of formulations on particles, as its tables see it.
+template <int dim>
+struct CloudTest {
+    std::string largest, states;           ///< what each table holds
+    std::vector<report::ColumnHead> keys;  ///< the last one is the place
+    std::array<report::ColumnHead, 3> numbers;
+    /// Of a formulation on particles, with δ for all of them, or of each [length].
+    std::function<std::vector<Found>(const std::string& formulation, const Placed<dim>&,
+                                     const particles::Column<double>& spacing)>
+        find;
+};
+
+/// A row for each formulation, case and place: the largest numbers there; with --median their medians and
+/// quartiles over the seeds. On the standard output grids have the observed orders.
+template <int dim>
+report::Table table_of_largest(const CloudOptions& options, const CloudTest<dim>& test);
+
+/// A row for each particle: its place, its position and what is found there.
+template <int dim>
+report::Table table_of_states(const CloudOptions& options, const CloudTest<dim>& test);
+
+}  // namespace command_line
