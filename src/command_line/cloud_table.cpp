@@ -34,7 +34,9 @@ std::vector<Cell> named(const std::string& formulation, const CloudCase& one, co
 
 /// The same with the distance of a grid's particles.
 std::vector<Cell> named(const std::string& formulation, const CloudCase& one) {
-    return named(formulation, one, one.is_grid() ? Cell(1 / static_cast<double>(one.n - 1)) : Cell());
+    Cell spacing;
+    if (one.is_grid()) spacing = 1 / static_cast<double>(one.n - 1);
+    return named(formulation, one, spacing);
 }
 
 /// A table with its comments, and the columns that name a case, and what is found in it.
@@ -61,7 +63,7 @@ std::vector<Attempt> attempts_at(const CloudOptions& options, const CloudTest<di
     for (const std::string& formulation : formulations_of(options)) {
         Attempt& attempt = attempts.emplace_back();
         attempt.failure = failure ? failure : failure_of([&] {
-            const Column<double> spacing = particles::spacing(particles->cloud, options.spacing);
+            const Column<double> spacing = command_line::spacing(options, one, particles->cloud);
             for (const Found& at : test.find(formulation, *particles, spacing)) {
                 attempt.numbers.insert(attempt.numbers.end(), at.keys.begin(), at.keys.end());
                 attempt.numbers.emplace_back(static_cast<long>(at.particles.size()));
@@ -105,7 +107,7 @@ template <int dim>
 std::vector<std::vector<Cell>> states(const CloudOptions& options, const CloudTest<dim>& test,
                                       const std::string& formulation, const CloudCase& one) {
     const auto particles = placed<dim>(options, one);
-    const Column<double> spacing = particles::spacing(particles.cloud, options.spacing);
+    const Column<double> spacing = command_line::spacing(options, one, particles.cloud);
     std::vector<std::vector<Cell>> rows;
     for (const Found& at : test.find(formulation, particles, spacing))
         for (std::size_t k = 0; k < at.particles.size(); ++k) {

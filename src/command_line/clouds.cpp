@@ -26,11 +26,24 @@ namespace derivative_test = fpm_in_space::derivative_test;
 
 namespace {
 
+const std::string stretched_mark = "stretched-";
+
+bool is_stretched(const std::string& layout) {
+    return layout.starts_with(stretched_mark);
+}
 bool is_grid(const std::string& layout) {
-    return layout == "grid";
+    return layout == "grid" || is_stretched(layout);
+}
+/// The factor by which the distances of a grid grow. \throws InvalidInput for a text that names none
+double growth_of(const std::string& layout) {
+    if (!is_stretched(layout)) return 1;
+    const double growth = number("--layout " + layout, layout.substr(stretched_mark.size()));
+    if (growth == 1) throw InvalidInput("--layout " + layout + ": distances do not grow; take grid");
+    static_cast<void>(derivative_test::stretched(0, growth));
+    return growth;
 }
 bool is_file(const std::string& layout) {
-    return layout.find_first_of("./") != std::string::npos;
+    return !is_grid(layout) && layout.find_first_of("./") != std::string::npos;
 }
 
 /// The radius at which the Gaussian is lowered to zero, unless another kernel was asked for.
@@ -163,7 +176,7 @@ void add_options(CommandLine& app, CloudOptions& options) {
                  "particles along a side of a grid: a list or a range (default 16,31,61; in space 9,13,17)");
     app.add_list(
            "--layout", options.layouts,
-           "layouts, separated by commas: grid (default); in the plane graded-N-A or polar-AxR around a hole, as `hole` takes them; or a file with a line x,y or x,y,z for each particle")
+           "layouts, separated by commas: grid (default); stretched-G, a grid whose distances grow by a factor G along each axis; in the plane graded-N-A or polar-AxR around a hole, as `hole` takes them; or a file with a line x,y or x,y,z for each particle")
         .type_name("NAME|FILE[,...]");
     app.add_list("--columns", options.columns,
                  "the columns of positions in a file, by names or by numbers from 1 (default: x,y,z)")
@@ -212,6 +225,7 @@ void complete(CloudOptions& options) {
         options.particles =
             options.dimension == 2 ? std::vector<long>{16, 31, 61} : std::vector<long>{9, 13, 17};
     for (const std::string& layout : layouts) {
+        static_cast<void>(growth_of(layout));
         if (!is_grid(layout) && !is_file(layout)) check_name(options, layout);
         if (is_file(layout) && !options.files.contains(layout))
             options.files[layout] =
@@ -269,7 +283,8 @@ Placed<dim> placed(const CloudOptions& options, const CloudCase& one) {
             return all_of<2>(
                 one.layout,
                 Layouts({one.layout}, {}, 0, options.smoothing).around({}, one.layout, one.seed).x);
-    auto [cloud, on_sides] = derivative_test::body<dim>(one.n, one.perturbation, one.seed);
+    auto [cloud, on_sides] =
+        derivative_test::body<dim>(one.n, one.perturbation, one.seed, growth_of(one.layout));
     std::vector<std::pair<std::string, Range>> places;
     for (int sides = 0; sides <= dim; ++sides) {
         Range range = on_sides[static_cast<std::size_t>(sides)];
@@ -277,6 +292,17 @@ Placed<dim> placed(const CloudOptions& options, const CloudCase& one) {
         places.emplace_back(fpm_in_space::place<dim>(sides), range);
     }
     return {std::move(cloud), places};
+}
+
+template <int dim>
+Column<double> spacing(const CloudOptions& options, const CloudCase& one, const Cloud<dim>& cloud) {
+    if (options.spacing.kind != particles::Spacing::mean || !is_stretched(one.layout))
+        return particles::spacing(cloud, options.spacing);
+    Column<double> each(cloud.size());
+    for (particles::Index i = 0; i < cloud.size(); ++i)
+        each[i] = derivative_test::stretched_spacing<dim>(
+            cloud.x().col(i), 1 / static_cast<double>(one.n - 1), growth_of(one.layout));
+    return each;
 }
 
 template <int dim>
@@ -326,7 +352,7 @@ std::vector<std::string> comments(const CloudOptions& options, const std::string
     for (const std::string& name : formulations_of(options))
         equations += (equations.empty() ? "" : ", ") + name + " " +
                      std::string(formulation_named<double, 2>(name).equations);
-    return {"FPM in space, Section 4: " + what + " for B = " +
+    return {what + " for B = " +
                 options.function.value_or(std::string(options.dimension == 2
                                                           ? derivative_test::function_typed<2>
                                                           : derivative_test::function_typed<3>)),
@@ -336,6 +362,8 @@ std::vector<std::string> comments(const CloudOptions& options, const std::string
 
 template Placed<2> placed(const CloudOptions&, const CloudCase&);
 template Placed<3> placed(const CloudOptions&, const CloudCase&);
+template Column<double> spacing(const CloudOptions&, const CloudCase&, const Cloud<2>&);
+template Column<double> spacing(const CloudOptions&, const CloudCase&, const Cloud<3>&);
 template particles::Smoothing<double, 2> smoothing(const CloudOptions&, const Column<double>&);
 template particles::Smoothing<double, 3> smoothing(const CloudOptions&, const Column<double>&);
 template derivative_test::Function<2> function<2>(const CloudOptions&);

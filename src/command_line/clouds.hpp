@@ -89,6 +89,12 @@ struct Placed {
 template <int dim>
 Placed<dim> placed(const CloudOptions& options, const CloudCase& one);
 
+/// δ of h/δ: one for all particles, or one for each. The mean of a stretched grid is that of the grid, stretched
+/// as at the particle; where axes differ, the larger one. [length]
+template <int dim>
+particles::Column<double> spacing(const CloudOptions& options, const CloudCase& one,
+                                  const particles::Cloud<dim>& cloud);
+
 /// The kernel, with its smoothing lengths.
 /// \param spacing δ of h/δ, one for all particles, or one for each [length]
 template <int dim>

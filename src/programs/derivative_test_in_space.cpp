@@ -34,8 +34,8 @@ CloudTest<dim> test(const CloudOptions& options) {
         }
         return all;
     };
-    return {"largest errors of the first and second derivatives by place",
-            "errors of the derivatives at each particle",
+    return {"FPM in space, Section 4: largest errors of the first and second derivatives by place",
+            "FPM in space, Section 4: errors of the derivatives at each particle",
             {{"place"}},
             {{{"error_first", {1e-6, 1e-12}}, {"error_second", {1e-6, 2e-10}}, {"quality", {1e-6, 1e-9}}}},
             find};

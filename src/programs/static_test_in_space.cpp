@@ -46,11 +46,12 @@ CloudTest<dim> test(const Options& options) {
         }
         return all;
     };
-    return {"Poisson's equation (F17), (F18): largest errors of values and first derivatives by place",
-            "Poisson's equation (F17), (F18): errors of values and first derivatives at each particle",
-            {{"conditions"}, {"place"}},
-            {{{"error_value", {1e-6, 1e-12}}, {"error_first", {1e-6, 1e-10}}, {"quality", {1e-6, 1e-9}}}},
-            find};
+    return {
+        "FPM in space, Section 5, Poisson's equation (F17), (F18): largest errors of values and first derivatives by place",
+        "FPM in space, Section 5, Poisson's equation (F17), (F18): errors of values and first derivatives at each particle",
+        {{"conditions"}, {"place"}},
+        {{{"error_value", {1e-6, 1e-12}}, {"error_first", {1e-6, 1e-10}}, {"quality", {1e-6, 1e-9}}}},
+        find};
 }
 
 template <int dim>
