@@ -225,8 +225,12 @@ TEST_CASE(
     CHECK(square.real() == relative(3.5, 1e-10));
     CHECK(std::abs(square.imag()) == relative(0.1, 1e-9));
     A(2, 3) = 0;
-    A(3, 3) = -3;  // one eigenvector
-    CHECK(complex_pairs(frequencies(rotated(A))) == 0);
+    Eigen::MatrixXd doubles = A;  // each eigenvalue twice, with one eigenvector
+    for (Index k = 0; k < 12; ++k) doubles(k, k) = -1 - static_cast<double>(k / 2);
+    for (Index k = 0; k < 12; k += 2) doubles(k + 1, k) = 1;
+    const auto found = frequencies(rotated(doubles));
+    CHECK(complex_pairs(found) == 0);
+    CHECK(std::all_of(found.begin(), found.end(), [](const auto& omega) { return omega.imag() == 0; }));
     A(3, 3) = 3;  // grows, and is no pair
     const auto grows = frequencies(rotated(A));
     CHECK(complex_pairs(grows) == 0);
