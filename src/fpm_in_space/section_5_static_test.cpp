@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "batra2008/basis_at.hpp"
-#include "batra2008/section_2_ssph_basis.hpp"
+#include "fpm_in_space/ssph_with_value_given.hpp"
 #include "particles/quality.hpp"
 #include "particles/requirement.hpp"
 #include "solvers/sparse.hpp"
@@ -112,6 +112,39 @@ std::vector<Row<dim>> rows_of(const Formulation<double, dim>& formulation, const
     return all;
 }
 
+/// By SSPH of degree 2 with the value given, on few neighbours.
+template <int dim>
+Row<dim> row_from_nearest(const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing, Index i,
+                          Index enough) {
+    const particles::TruncatedGaussian<dim> kernel(particles::support<double>(smoothing.kernel()));
+    const double h = smoothing.h(i);
+    Row<dim> at;
+    at.particle = ssph_basis::nearest_that_determine<2, dim>(cloud, kernel, i, h, enough);
+    at.own = std::lower_bound(at.particle.begin(), at.particle.end(), i) - at.particle.begin();
+    const auto weights = ssph_with_value_given<2>(
+        particles::neighbourhood<dim>(cloud, kernel, cloud.x().col(i), h, at.particle));
+    at.first = weights.first / h;
+    at.laplacian = weights.second.leftCols(dim).rowwise().sum() / (h * h);
+    at.first.row(at.own) -= at.first.colwise().sum().eval();
+    at.laplacian[at.own] -= at.laplacian.sum();
+    return at;
+}
+
+/// The rows of the preconditioner.
+template <int dim>
+std::vector<Row<dim>> nearest_of(const std::vector<Row<dim>>& all, const Cloud<dim>& cloud,
+                                 const Smoothing<double, dim>& smoothing) {
+    const Index enough = solvers::enough_neighbours(cloud.size(), particles::terms<dim, 2>);
+    std::vector<Row<dim>> nearest(all.size());
+    base::for_each_index(cloud.size(), [&](Index i) {
+        const auto x = cloud.x().col(i).array();
+        const bool inside = (x > smoothing.h(i)).all() && (x < 1 - smoothing.h(i)).all();
+        const auto at = static_cast<std::size_t>(i);
+        nearest[at] = inside ? row_from_nearest<dim>(cloud, smoothing, i, enough) : all[at];
+    });
+    return nearest;
+}
+
 template <int dim>
 std::vector<std::vector<int>> neighbours(const std::vector<Row<dim>>& rows) {
     std::vector<std::vector<int>> near;
@@ -167,36 +200,38 @@ Equation equation_at(const Row<dim>& at, const Point<dim>& x, const std::type_id
 }
 
 template <int dim>
-std::vector<Row<dim>> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
-                           const Smoothing<double, dim>& smoothing, const Column<double>& spacing) {
+Rows<dim> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
+               const Smoothing<double, dim>& smoothing, const Column<double>& spacing) {
     require_sides(cloud);
-    std::vector<Row<dim>> rows = rows_of<dim>(formulation, cloud, smoothing, spacing);
+    Rows<dim> rows{rows_of<dim>(formulation, cloud, smoothing, spacing), {}};
     for (Index i = 0; i < cloud.size(); ++i)
-        if (const double R = rows[static_cast<std::size_t>(i)].R;
+        if (const double R = rows.all[static_cast<std::size_t>(i)].R;
             outward<dim>(cloud.x().col(i)).isZero() && !(R <= ssph_basis::most))
             throw FailedComputation(
                 std::string(formulation.name) + ": the Laplacian of particle " + std::to_string(i) + " (" +
                 particles::position_in_words(cloud, i) + ") has the quality number " + shown(R, 3) +
                 ", more than " + shown(ssph_basis::most, 3) +
                 ": no solution by it can be trusted; take another formulation, or a larger smoothing length");
+    if (cloud.size() > solvers::small_system) rows.nearest = nearest_of<dim>(rows.all, cloud, smoothing);
     return rows;
 }
 
 template <int dim>
-Column<double> solution(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud,
+Column<double> solution(const Rows<dim>& rows, const Cloud<dim>& cloud,
                         const std::type_identity_t<Function<dim>>& B, Conditions conditions) {
-    Eigen::VectorXd given;
-    solvers::SparseRows A = system<dim>(rows, cloud, B, conditions, given);
+    Eigen::VectorXd given, same;
+    solvers::SparseRows A = system<dim>(rows.all, cloud, B, conditions, given), nearest;
     require_finite(given, cloud);
-    return solvers::solve_sparse(std::move(A), given).array();
+    if (!rows.nearest.empty()) nearest = system<dim>(rows.nearest, cloud, B, conditions, same);
+    return solvers::solve_sparse(std::move(A), given, std::move(nearest)).array();
 }
 
 template <int dim>
-std::vector<AtParticle> errors(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud,
+std::vector<AtParticle> errors(const Rows<dim>& rows, const Cloud<dim>& cloud,
                                const std::type_identity_t<Function<dim>>& B, const Column<double>& u) {
-    std::vector<AtParticle> all(rows.size());
+    std::vector<AtParticle> all(rows.all.size());
     base::for_each_index(cloud.size(), [&](Index i) {
-        const Row<dim>& at = rows[static_cast<std::size_t>(i)];
+        const Row<dim>& at = rows.all[static_cast<std::size_t>(i)];
         const Point<dim> x = cloud.x().col(i);
         const Column<double> difference = u(at.particle) - u[i];
         const Point<dim> missed = at.first.matrix().transpose() * difference.matrix() - gradient<dim>(B, x);

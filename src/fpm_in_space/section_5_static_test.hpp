@@ -123,20 +123,30 @@ Equation equation_at(const Row<dim>& at, const Point<dim>& x, const std::type_id
                      Conditions conditions);
 
 /// The rows of all particles, which serve all conditions.
+template <int dim>
+struct Rows {
+    std::vector<Row<dim>> all;
+    /// Those of the preconditioner of a large system; or none.
+    std::vector<Row<dim>> nearest;
+};
+
+/// The rows of a formulation.
 /// \param spacing δ of R: one for all particles, or one for each [length]
 /// \throws base::InvalidInput for particles that do not fill the unit square or cube up to all of its sides
 /// \throws base::FailedComputation as particles::assemble(), and where a Laplacian inside has an R above
 ///         batra2008::ssph_basis::most
 template <int dim>
-std::vector<Row<dim>> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
-                           const Smoothing<double, dim>& smoothing, const Column<double>& spacing);
+Rows<dim> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
+               const Smoothing<double, dim>& smoothing, const Column<double>& spacing);
 
-/// The values at the particles, by a sparse factorisation. The same equations on few neighbours, which
-/// precondition those of the second paper's collocation, do not precondition these: GMRES stagnates.
+/// The values at the particles. A large system is solved by GMRES. Its preconditioner has few neighbours inside,
+/// by ssph_with_value_given() of degree 2; within h of a side it has the rows themselves, since fluxes and
+/// one-sided neighbourhoods are not alike by two formulations. It takes 10 to 25 iterations, whatever the number
+/// of particles.
 /// \throws base::InvalidInput where B or a derivative is not finite
 /// \throws base::FailedComputation where the system is singular
 template <int dim>
-Column<double> solution(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud,
+Column<double> solution(const Rows<dim>& rows, const Cloud<dim>& cloud,
                         const std::type_identity_t<Function<dim>>& B, Conditions conditions);
 
 /// What the test finds at a particle.
@@ -150,21 +160,21 @@ struct AtParticle {
 /// \f[ \max_i |u_i - B(x_i)|, \qquad
 ///     \max_i \max_a \Big| \sum_j w^a_j\,[u_j - u_i] - \partial_a B(x_i) \Big| \tag{F19} \f]
 template <int dim>
-std::vector<AtParticle> errors(const std::vector<Row<dim>>& rows, const Cloud<dim>& cloud,
+std::vector<AtParticle> errors(const Rows<dim>& rows, const Cloud<dim>& cloud,
                                const std::type_identity_t<Function<dim>>& B, const Column<double>& u);
 
 /// The largest of each in a place, and the particle with the largest error of the value.
 AtParticle largest(const std::vector<AtParticle>& all, const Range& place);
 
 // Compiled once: section_5_static_test.cpp.
-#define FPM_IN_SPACE_STATIC_TEST(prefix, dim)                                                         \
-    prefix template Equation equation_at(const Row<dim>&, const Point<dim>&, const Function<dim>&,    \
-                                         Conditions);                                                 \
-    prefix template std::vector<Row<dim>> rows(const Formulation<double, dim>&, const Cloud<dim>&,    \
-                                               const Smoothing<double, dim>&, const Column<double>&); \
-    prefix template Column<double> solution(const std::vector<Row<dim>>&, const Cloud<dim>&,          \
-                                            const Function<dim>&, Conditions);                        \
-    prefix template std::vector<AtParticle> errors(const std::vector<Row<dim>>&, const Cloud<dim>&,   \
+#define FPM_IN_SPACE_STATIC_TEST(prefix, dim)                                                          \
+    prefix template Equation equation_at(const Row<dim>&, const Point<dim>&, const Function<dim>&,     \
+                                         Conditions);                                                  \
+    prefix template Rows<dim> rows(const Formulation<double, dim>&, const Cloud<dim>&,                 \
+                                   const Smoothing<double, dim>&, const Column<double>&);              \
+    prefix template Column<double> solution(const Rows<dim>&, const Cloud<dim>&, const Function<dim>&, \
+                                            Conditions);                                               \
+    prefix template std::vector<AtParticle> errors(const Rows<dim>&, const Cloud<dim>&,                \
                                                    const Function<dim>&, const Column<double>&);
 FPM_IN_SPACE_STATIC_TEST(extern, 2)
 FPM_IN_SPACE_STATIC_TEST(extern, 3)

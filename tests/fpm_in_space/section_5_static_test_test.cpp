@@ -46,7 +46,7 @@ Column<double> spacing(const Cloud<dim>& cloud, Index n, double growth) {
 template <int dim>
 struct Test {
     Cloud<dim> cloud;
-    std::vector<Row<dim>> rows;
+    Rows<dim> rows;
 
     [[nodiscard]] AtParticle largest(const Function<dim>& B, Conditions conditions) const {
         const Column<double> u = solution<dim>(rows, cloud, B, conditions);
@@ -129,7 +129,7 @@ TEST_CASE(
     const auto on = test<2>("definite_fpm", 9, 0);
     const Function<2> B = exponential_and_wave<2>;
     for (Index i = 0; i < on.cloud.size(); ++i) {
-        const Row<2>& row = on.rows[static_cast<std::size_t>(i)];
+        const Row<2>& row = on.rows.all[static_cast<std::size_t>(i)];
         const Plane x = on.cloud.x().col(i);
         const Equation equation = equation_at<2>(row, x, B, Conditions::mixed);
         if (x == Plane(1, 1)) {
@@ -152,7 +152,7 @@ TEST_CASE("static test in space: with fluxes on all sides, the reaction finds th
     };
     const Column<double> u = solution<2>(on.rows, on.cloud, five, Conditions::neumann);
     CHECK((u - 5).abs().maxCoeff() < 1e-10);
-    const Row<2>& row = on.rows.front();
+    const Row<2>& row = on.rows.all.front();
     CHECK(balance(row, 1, 3).weights[row.own] == row.laplacian[row.own] - 1);
     CHECK(balance(row, 1, 3).given == -3);
 }
@@ -223,6 +223,15 @@ TEST_CASE("static test in space: the solution is that of the library's bodies, w
             CHECK((u - v).abs().maxCoeff() < 1e-9);
         }
     });
+}
+
+TEST_CASE("static test in space: a large system is solved by iteration, and as by factorisation") {
+    const auto large = test<2>("definite_fpm", 65, 0.25);
+    REQUIRE(large.rows.nearest.size() == large.rows.all.size());
+    const Column<double> u = solution<2>(large.rows, large.cloud, exponential_and_wave<2>, Conditions::mixed),
+                         v = solution<2>({large.rows.all, {}}, large.cloud, exponential_and_wave<2>,
+                                         Conditions::mixed);
+    CHECK((u - v).abs().maxCoeff() < 1e-9);
 }
 
 TEST_CASE("static test in space: the largest of each number in a place, and the particle of the value") {
