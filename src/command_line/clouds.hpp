@@ -63,7 +63,7 @@ struct CloudCase {
 /// Cases that differ in their seeds only: with --median, one row.
 struct Draws {
     CloudCase first;
-    unsigned long seeds;
+    unsigned long seeds = 1;
 };
 
 std::vector<Draws> draws(const CloudOptions& options);

@@ -158,7 +158,9 @@ Elements elements(const Body<2>& body, Mass mass) {
                 M.emplace_back(triangle[i], triangle[j], M_e(static_cast<Index>(i), static_cast<Index>(j)));
             }
     }
-    Elements all{SparseRows(inside, inside), SparseRows(inside, inside)};
+    Elements all;
+    all.K.resize(inside, inside);
+    all.M.resize(inside, inside);
     all.K.setFromTriplets(K.begin(), K.end());
     all.M.setFromTriplets(M.begin(), M.end());
     return all;
