@@ -67,6 +67,21 @@ TEST_CASE("clouds: a sample takes so many particles of each place, and all of a 
     CHECK(places[2].second.size() == 4);
 }
 
+TEST_CASE("clouds: the spacing of a stretched grid follows the particles, unless another one is asked for") {
+    CloudOptions options;
+    options.layouts = {"stretched-10"};
+    const CloudCase one{"stretched-10", 0, 9, 1};
+    CHECK(one.is_grid());
+    const auto cloud = placed<2>(completed(options), one).cloud;
+    const auto each = spacing<2>(completed(options), one, cloud);
+    REQUIRE(each.size() == 81);
+    // Neighbours along an axis lie between the distances that the map's slope gives at either end.
+    CHECK(each.maxCoeff() / each.minCoeff() == support::relative(10, 1e-12));
+    options.smoothing_from = "nearest";
+    const auto nearest = spacing<2>(completed(options), one, cloud);
+    CHECK((nearest == cloud.apart()).all());
+}
+
 TEST_CASE("clouds: what changes nothing, has no meaning or cannot be drawn is refused") {
     const auto check_refused = [](const std::string& reason, const auto& change) {
         CloudOptions options;
@@ -91,6 +106,8 @@ TEST_CASE("clouds: what changes nothing, has no meaning or cannot be drawn is re
         o.layouts = {"graded-188-11"};
     });
     check_refused("there is no layout 'gradet'", [](CloudOptions& o) { o.layouts = {"gradet"}; });
+    check_refused("distances do not grow; take grid", [](CloudOptions& o) { o.layouts = {"stretched-1"}; });
+    check_refused("'ten' is no number", [](CloudOptions& o) { o.layouts = {"stretched-ten"}; });
     check_refused("--cut must be positive, got -1", [](CloudOptions& o) { o.cut = "-1"; });
     check_refused("--smoothing must be positive", [](CloudOptions& o) { o.smoothing = 0; });
     check_refused("take one --formulation", [](CloudOptions& o) {
