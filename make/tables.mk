@@ -49,6 +49,16 @@ around_the_hole := graded-188-11,polar-11x17
 fpm_in_space/rows      = $(bin)/derivative_test_in_space --layout $(around_the_hole) --smoothing 1 --smoothing-from local \
                          --function 'log(x^2+y^2)/2' --states
 fpm_in_space/layouts   = $(bin)/hole --method strong --draws 25 --quality
+fpm_in_space/poisson   = $(bin)/static_test_in_space --formulation definite_fpm,ssph,cubic_ssph --particles 16,31,61,121 \
+                         --conditions all
+fpm_in_space/poisson_draws = $(bin)/static_test_in_space --formulation definite_fpm --layout grid,stretched-10 \
+                         --particles 31,121 --perturb 0.25 --seeds 25 --median
+fpm_in_space/poisson_in_space = $(bin)/static_test_in_space --dimension 3 --formulation definite_fpm,ssph,cubic_ssph \
+                         --particles 9,12,17 --conditions all
+fpm_in_space/poisson_in_space_draws = $(bin)/static_test_in_space --dimension 3 --formulation definite_fpm \
+                         --particles 9,17 --perturb 0.25 --seeds 5 --median
+fpm_in_space/poisson_in_space_stretched = $(bin)/static_test_in_space --dimension 3 --formulation definite_fpm \
+                         --layout stretched-10 --particles 9,17 --perturb 0.25 --seeds 5 --median
 fpm_in_space/plate     = $(bin)/plate --method strong,fpm --degree 2,3 --scaling 4 --particles $(grids)
 finer := graded-686-21,graded-2600-41
 fpm_in_space/hole      = $(bin)/hole --method strong --degree 2,3 --draws 11 --layout graded-188-11,$(finer) --quality
@@ -65,7 +75,7 @@ fpm_in_space/claims    = $(bin)/claims --paper fpm_in_space
 
 # The names of the variables above are the list of tables; the one that takes longest is begun first.
 tables := $(patsubst %,data/%.csv,$(sort $(filter $(papers:%=%/%),$(.VARIABLES))))
-ledger := $(filter %/claims.csv %/choices.csv,$(tables))
+ledger := $(filter %/claims.csv %/choices.csv %/poisson_in_space_stretched.csv,$(tables))
 slowest := data/batra2008/layouts.csv
 data := $(slowest) $(filter-out $(slowest) $(ledger),$(tables))
 figures := $(patsubst %.gp,%.svg,$(sort $(wildcard figures/*/figure_*.gp)))
@@ -77,7 +87,7 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 # The claims about the hole are decided on the family of layouts.
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 # Those about FPM in space, on tables of derivatives and of solutions.
-data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space literal rows layouts membrane plate hole hole_fpm hole_fpm_coarse)
+data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space poisson poisson_draws poisson_in_space poisson_in_space_draws poisson_in_space_stretched literal rows layouts membrane plate hole hole_fpm hole_fpm_coarse)
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	rm -f $@.tmp.*
