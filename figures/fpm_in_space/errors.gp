@@ -1,9 +1,10 @@
-# Largest errors of second and of first derivatives against the number of particles along a side: a column for each
+# Largest errors of second derivatives, or of the values of a solution, and of first derivatives against the number of particles along a side: a column for each
 # perturbation, a colour for each formulation, a dash and a symbol for each place. For figure_plane, figure_space, and
-# derivative_test_in_space --plot.
+# derivative_test_in_space --plot and static_test_in_space --plot.
 if (!exists("table")) { exit error "this figure is of a table of your own: derivative_test_in_space --plot FILE.svg" }
 with_triangles = exists("ours")
-curve_column = "formulation"; x_column = "particles"; y_column = "error_second"
+of_values = system("grep -c '^formulation.*,error_value,' '" . table . "'") + 0 > 0
+curve_column = "formulation"; x_column = "particles"; y_column = of_values ? "error_value" : "error_second"
 load "figures/style.gp"
 places = ""
 stats table using (places = with_word(places, strcol("place")), 0) nooutput
@@ -52,10 +53,10 @@ do for [second = 0:1] {
         p = word(perturbations, k)
         set lmargin at screen 0.12 + 0.44 * (k - 1); set rmargin at screen (k == panels ? 0.98 : 0.53)
         set format y (k == 1 ? "10^{%T}" : "")
-        set ylabel (k > 1 ? "" : second ? "error of second derivatives" : "error of first derivatives")
+        set ylabel (k > 1 ? "" : second ? "error of " . (of_values ? "values" : "second derivatives") : "error of first derivatives")
         set title (!second ? "" : p eq "0" ? "uniform" : "perturbed by " . p . " δ" . of_median) font ",13"
         plot for [name in curves] for [place in places] \
-             table using (at(name, place, p) * column("particles")):(second ? column("error_second") : column("error_first")) \
+             table using (at(name, place, p) * column("particles")):(second ? column(y_column) : column("error_first")) \
              with linespoints linestyle at_place(name, place)
         unset label; unset object
     }

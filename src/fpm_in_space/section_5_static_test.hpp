@@ -24,11 +24,20 @@ namespace fpm_in_space {
 ///
 /// The first paper's Section 5.2 has a rod that is clamped at one end and free at the other. Here are a
 /// membrane or a body that conducts heat, with values or with fluxes on its sides. The equation is imposed at
-/// the particles inside, and a condition at each particle on a side. All derivatives are the formulation's own.
+/// the particles inside, and a condition at each particle on a side. All derivatives are the formulation's
+/// own.
 ///
 /// Where a side with values meets a side with fluxes, the value holds. Where sides with fluxes meet, there is
 /// one equation for two or three fluxes: we impose their sum, the flux along the sum of the normals. It
 /// treats the sides alike, and it is exact for whatever the formulation differentiates exactly.
+///
+/// **What is found.** In the plane values and first derivatives are of second order at sides and corners,
+/// too, on grids and on perturbed particles; stretched tenfold, the first derivatives come to 1.7 between
+/// these numbers of particles. SSPH of degree 2 errs a tenth more: that its second derivatives are of first
+/// order beside a side does little harm where the side has a condition of its own. In space values on perturbed
+/// particles fall more slowly than the square up to 17³.
+///
+/// \image html fpm_in_space_figure_poisson.svg "Largest errors of values and of first derivatives, with fluxes on half of the sides."
 ///
 /// What this section claims, and what was measured: \claims{F-5}.
 namespace static_test {

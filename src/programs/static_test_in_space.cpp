@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
     command_line::CommandLine app(
         "The second-order FPM in the plane and in space, Section 5: Poisson's equation on the unit square or cube by collocation, with values or fluxes on its sides that follow from an exact solution B; largest errors inside and at faces, edges and corners.",
         "static_test_in_space",
-        "Example: static_test_in_space --formulation definite_fpm,ssph --particles 16,31,61 --conditions dirichlet,mixed --plot /tmp/poisson.svg\n"
+        "Example: static_test_in_space --formulation definite_fpm,ssph --particles 16,31,61 --conditions mixed --plot /tmp/poisson.svg\n"
         "In space: static_test_in_space --dimension 3 --particles 9,13,17 --perturb 0.25\n"
         "A solution of your own: static_test_in_space --function \"sin(3*x)*exp(y)\" --layout stretched-10 --conditions neumann");
     Options options;
@@ -79,6 +79,8 @@ int main(int argc, char** argv) {
     return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
         options.conditions =
             command_line::chosen("conditions", options.conditions, static_test::condition_names());
+        if (options.conditions.size() > 1 && !options.figure.path.empty())
+            throw base::InvalidInput("--plot draws one of the conditions; name one by --conditions");
         command_line::complete(options);
         return options.dimension == 2 ? table_of<2>(options) : table_of<3>(options);
     });

@@ -150,8 +150,9 @@ TEST_CASE("plate: the largest error of u2 is that of the bottom edge alone") {
             const Point<2> x = cloud.x().col(J);
             u.segment<2>(2 * J) = field.u(x) + Vector(0, wrong_by(x));
         }
-        return plate::largest_error_u2(
-            cloud, {{example_problems::Method::strong, 4}, field.material, cloud.apart(), u}, problem);
+        const example_problems::Solution solution{
+            {example_problems::Method::strong, 4}, field.material, cloud.apart(), u};
+        return plate::largest_error_u2(cloud, solution, problem);
     };
     CHECK(error([](const Point<2>& x) { return x[1] * x[1]; }) < 1e-8);
     CHECK(error([](const Point<2>&) { return 0.25; }) == support::relative(100 * 0.25 / largest, 1e-8));
