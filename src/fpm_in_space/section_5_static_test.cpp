@@ -186,7 +186,7 @@ std::vector<std::string> condition_names() {
 }
 
 Conditions conditions_named(std::string_view wanted) {
-    return base::choose("conditions", wanted, known_conditions());
+    return base::choose("condition", wanted, known_conditions());
 }
 
 template <int dim>

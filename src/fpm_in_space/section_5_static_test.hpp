@@ -148,10 +148,9 @@ template <int dim>
 Rows<dim> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
                const Smoothing<double, dim>& smoothing, const Column<double>& spacing);
 
-/// The values at the particles. A large system is solved by GMRES. Its preconditioner has few neighbours inside,
-/// by ssph_with_value_given() of degree 2; within h of a side it has the rows themselves, since fluxes and
-/// one-sided neighbourhoods are not alike by two formulations. It takes 10 to 25 iterations, whatever the number
-/// of particles.
+/// The values at the particles. A large system is solved by GMRES. Its preconditioner has few neighbours
+/// inside, by ssph_with_value_given() of degree 2; within h of a side it has the rows themselves, since fluxes
+/// and one-sided neighbourhoods by two formulations are not alike. Without them it fails in space.
 /// \throws base::InvalidInput where B or a derivative is not finite
 /// \throws base::FailedComputation where the system is singular
 template <int dim>

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     command_line::add_options(app, options);
     return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
         options.conditions =
-            command_line::chosen("conditions", options.conditions, static_test::condition_names());
+            command_line::chosen("condition", options.conditions, static_test::condition_names());
         if (options.conditions.size() > 1 && !options.figure.path.empty())
             throw base::InvalidInput("--plot draws one of the conditions; name one by --conditions");
         command_line::complete(options);
