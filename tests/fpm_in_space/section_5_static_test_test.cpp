@@ -241,7 +241,7 @@ TEST_CASE("static test in space: the largest of each number in a place, and the 
 
 TEST_CASE("static test in space: what cannot be solved is refused, with what to do") {
     CHECK_THROWS_WITH_AS(conditions_named("robin"),
-                         "there is no conditions 'robin'; choose one of dirichlet, mixed, neumann",
+                         "there is no condition 'robin'; choose one of dirichlet, mixed, neumann",
                          base::InvalidInput);
     const auto& formulation = formulation_named<double, 2>("definite_fpm");
     const Column<double> delta = Column<double>::Constant(1, 0.125);
