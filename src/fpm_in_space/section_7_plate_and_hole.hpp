@@ -47,7 +47,7 @@ using particles::Point;
 
 /// How a problem is solved.
 struct Discretisation {
-    double smoothing = 1.2;                                         ///< h/δ
+    double smoothing = 1.2;                                           ///< h/δ
     particles::Spacing smoothing_from = particles::Spacing::nearest;  ///< δ, as one of the spacings
 };
 
