@@ -16,10 +16,11 @@ do for [k = 1:words(values)] {
     distances = distances . sprintf("%s'1/%d' %.17g", k > 1 ? ", " : "", n, 1.0 / n)
 }
 eval("set xtics (" . distances . ")")
-if (user) { set yrange [floor(y_least - 0.01):ceil(y_most + 0.01)] }
 if (user) {
     do for [name in curves] { eval(observe(name, "method('" . name . "') * (column('nx') - 1)", "10**column('log_error_dn')")) }
     set key maxrows 3
+    set yrange [floor(y_least - 0.01):ceil(y_most + 0.01)]
+    title_fpm = "second-order FPM"
 } else {
     set object 1 polygon from 0.03,-3.6 to 0.06,-3.6 to 0.06,-2.998 to 0.03,-3.6 fillstyle empty border linecolor rgb "#666666"
     set label 1 "2" at 0.0615,-3.3 textcolor rgb "#666666"

@@ -9,7 +9,7 @@ array curve_degree[3] = ["2", "3", ""]
 array formulation[3] = ["ssph", "cubic_ssph", "definite_fpm"]
 # Medians and quartiles of |σ11/σ0 − 3| over the draws of a layout.
 counts = "188 686 2600"
-file(k, N) = k < 3 ? (N == 188 && k == 1 ? "layouts" : "hole") : N == 188 ? "hole_fpm_coarse" : "hole_fpm"
+file(k, N) = k == 2 ? "hole_cubic" : k == 1 ? (N == 188 ? "layouts" : "hole") : N == 188 ? "hole_fpm_coarse" : "hole_fpm"
 of_layout(k, N) = kind(curve_name[k], curve_degree[k]) * (column("particles") == N ? 1 : NaN)
 set print $errors
 print "curve,particles,lower,median,upper"
@@ -36,7 +36,7 @@ plot for [k = 1:3] plate using (kind(curve_name[k], curve_degree[k]) * column("p
     with linespoints linestyle style(formulation[k])
 
 set lmargin at screen 0.61; set rmargin at screen 0.98
-set title "hole, graded layouts" font ",13"
+set title "hole: medians and quartiles of draws" font ",13"
 set xrange [140:3500]; set xtics (188, 686, 2600)
 set yrange [0.002:10]
 set ylabel "error of σ₁₁ / σ₀ at the hole, median"

@@ -1,7 +1,9 @@
-# The error of the second derivatives at each particle, as a colour: derivative_test_in_space --states --plot. In space, what
+# The error of the second derivatives, or of the value of a solution, at each particle, as a colour: derivative_test_in_space and
+# static_test_in_space --states --plot. In space, what
 # lies in front covers what lies behind.
 if (!exists("table")) { exit error "this figure is of a table of your own: derivative_test_in_space --states --plot FILE.svg" }
-curve_column = "formulation"; x_column = "particle"; y_column = "error_second"
+of_values = system("grep -c '^formulation.*,error_value,' '" . table . "'") + 0 > 0
+curve_column = "formulation"; x_column = "particle"; y_column = of_values ? "error_value" : "error_second"
 load "figures/style.gp"
 in_space = strstrt("," . columns . ",", ",z,") > 0
 eval(picture(720, 640))
@@ -10,7 +12,7 @@ eval(sequential)
 set logscale cb
 set cbrange [y_least == y_most ? 0.5 * y_least : y_least : y_most]
 set format cb "10^{%T}"
-set cblabel "error of second derivatives"
+set cblabel "error of " . (of_values ? "the value" : "second derivatives")
 unset key
 # As few particles, as large symbols.
 set pointsize strlen(values) < 9999 ? most(0.5, least(2.5, 40.0 / words(values)**0.6)) : 0.3
@@ -21,8 +23,8 @@ if (in_space) {
     set xyplane relative 0
     set zlabel "z"
     set xtics 0.5; set ytics 0.5; set ztics 0.5
-    splot table using "x":"y":"z":(column("error_second") > 0 ? column("error_second") : y_least) with points pointtype 7 linecolor palette
+    splot table using "x":"y":"z":(column(y_column) > 0 ? column(y_column) : y_least) with points pointtype 7 linecolor palette
 } else {
     set size ratio -1
-    plot table using "x":"y":(column("error_second") > 0 ? column("error_second") : y_least) with points pointtype 7 linecolor palette
+    plot table using "x":"y":(column(y_column) > 0 ? column(y_column) : y_least) with points pointtype 7 linecolor palette
 }

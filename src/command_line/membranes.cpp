@@ -39,7 +39,7 @@ void complete(MembraneOptions& options) {
                                  "take fewer --particles, or --lowest 10");
         else  // at least as many neighbours as a quadratic polynomial has terms, and the factors
             base::require_memory_of_entries(what, 6 * modes, 500 * modes, "take fewer --particles");
-        if (static_cast<double>(options.lowest) > modes - 2)
+        if (options.lowest > 0 && static_cast<double>(options.lowest) > modes - 2)
             throw InvalidInput("--lowest " + std::to_string(options.lowest) + ": " + std::to_string(n) +
                                " particles along a side have " + base::shown(modes) +
                                " modes, of which at most " + base::shown(std::max(modes - 2, 0.0)) +

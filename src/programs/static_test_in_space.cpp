@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
         "static_test_in_space",
         "Example: static_test_in_space --formulation definite_fpm,ssph --particles 16,31,61 --conditions mixed --plot /tmp/poisson.svg\n"
         "In space: static_test_in_space --dimension 3 --particles 9,13,17 --perturb 0.25\n"
-        "A solution of your own: static_test_in_space --function \"sin(3*x)*exp(y)\" --layout stretched-10 --conditions neumann");
+        "A solution of your own: static_test_in_space --formulation definite_fpm --function \"sin(3*x)*exp(y)\" --layout stretched-10 --conditions neumann");
     Options options;
     options.figure.script = "fpm_in_space/errors.gp";
     app.add_list(
