@@ -15,7 +15,7 @@ template <class Work>
 void for_each_index(Index count, const Work& work) {
     std::exception_ptr failure;
     std::atomic<Index> failed = count;
-    const Index chunk = std::max<Index>(1, count / 256);
+    [[maybe_unused]] const Index chunk = std::max<Index>(1, count / 256);
 #pragma omp parallel for schedule(dynamic, chunk) if (count > 1)
     for (Index k = 0; k < count; ++k) {
         if (k > failed) continue;

@@ -190,7 +190,7 @@ Derivatives<Scalar> weights_of(const Function& function, const Neighbourhood<Sca
 /// A rule from a function of a Neighbourhood of any scalar that returns Derivatives, or the weights of the
 /// first derivative alone.
 template <class Scalar, class Function>
-Rule<Scalar> rule_of(const Function& function) {
+Rule<Scalar> rule_of(Function function) {
     const auto weights = [function](const auto& near) { return weights_of(function, near); };
     Rule<Scalar> rule{weights, {}, {}};
     if constexpr (std::is_same_v<Scalar, double> && std::is_invocable_v<Function, const Neighbourhood<Pack>&>)
