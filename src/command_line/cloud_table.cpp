@@ -46,6 +46,7 @@ report::Table begun(const CloudOptions& options, const CloudTest<dim>& test, con
                     const std::vector<report::ColumnHead>& between) {
     report::Table table;
     table.comments = comments(options, what);
+    table.comments.push_back("quality: " + test.quality);
     for (const auto* const columns : {&naming, &test.keys, &between})
         table.columns.insert(table.columns.end(), columns->begin(), columns->end());
     table.columns.insert(table.columns.end(), test.numbers.begin(), test.numbers.end());
@@ -122,8 +123,6 @@ std::vector<std::vector<Cell>> states(const CloudOptions& options, const CloudTe
     return rows;
 }
 
-}  // namespace
-
 template <int dim>
 report::Table table_of_largest(const CloudOptions& options, const CloudTest<dim>& test) {
     report::Table table = begun(options, test, test.largest, {{"count"}});
@@ -181,9 +180,14 @@ report::Table table_of_states(const CloudOptions& options, const CloudTest<dim>&
     return table;
 }
 
-template report::Table table_of_largest(const CloudOptions&, const CloudTest<2>&);
-template report::Table table_of_largest(const CloudOptions&, const CloudTest<3>&);
-template report::Table table_of_states(const CloudOptions&, const CloudTest<2>&);
-template report::Table table_of_states(const CloudOptions&, const CloudTest<3>&);
+}  // namespace
+
+template <int dim>
+report::Table table_of(const CloudOptions& options, const CloudTest<dim>& test) {
+    return options.states ? table_of_states(options, test) : table_of_largest(options, test);
+}
+
+template report::Table table_of(const CloudOptions&, const CloudTest<2>&);
+template report::Table table_of(const CloudOptions&, const CloudTest<3>&);
 
 }  // namespace command_line

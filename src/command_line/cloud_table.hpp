@@ -23,19 +23,17 @@ struct CloudTest {
     std::string largest, states;           ///< what each table holds
     std::vector<report::ColumnHead> keys;  ///< the last one is the place
     std::array<report::ColumnHead, 3> numbers;
+    std::string quality;  ///< what the third number is
     /// Of a formulation on particles, with δ for all of them, or of each [length].
     std::function<std::vector<Found>(const std::string& formulation, const Placed<dim>&,
                                      const particles::Column<double>& spacing)>
         find;
 };
 
-/// A row for each formulation, case and place: the largest numbers there; with --median their medians and
-/// quartiles over the seeds. On the standard output grids have the observed orders.
+/// The table that is asked for. One has a row for each formulation, case and place: the largest numbers there; with --median their medians and
+/// quartiles over the seeds. On the standard output grids have the observed orders. With --states, the other has a row for each particle:
+/// its place, its position and what is found there.
 template <int dim>
-report::Table table_of_largest(const CloudOptions& options, const CloudTest<dim>& test);
-
-/// A row for each particle: its place, its position and what is found there.
-template <int dim>
-report::Table table_of_states(const CloudOptions& options, const CloudTest<dim>& test);
+report::Table table_of(const CloudOptions& options, const CloudTest<dim>& test);
 
 }  // namespace command_line

@@ -65,10 +65,11 @@ void check_effect(const CloudOptions& options, bool grid, bool file) {
     for (const std::string& layout : options.layouts)
         for (const double a : options.perturbations) drawn = drawn || CloudCase{layout, a, 0, 1}.is_drawn();
     const bool sampled = grid && options.sample > 0;
+    const std::string graded = options.on_square ? "" : ", graded layouts";
     refuse_idle("--seeds", options.seeds > 1 && !drawn,
-                "where no particles are drawn (--perturb, graded layouts)");
+                "where no particles are drawn (--perturb" + graded + ")");
     refuse_idle("--seed", options.seed != 1 && !drawn && !sampled,
-                "where no particles are drawn (--perturb, --sample, graded layouts)");
+                "where no particles are drawn (--perturb" + graded + ")");
     refuse_idle("--columns", !options.columns.empty() && !file, "without a --layout FILE");
     refuse_idle("--sample", options.sample > 0 && !grid, "without a grid");
     refuse_idle("--particles", !options.particles.empty() && !grid, "without a grid");
@@ -116,18 +117,26 @@ Eigen::MatrixXd positions_in(const CloudOptions& options, const std::string& fil
     check_apart({{"--layout", file}, {"--output", options.output}, {"--plot", options.figure.path}});
     Eigen::MatrixXd x = read_points<dim>("--layout", file, options.columns,
                                          dim == 2 ? "a layout in the plane" : "a layout in space");
-    if (x.cols() < 2)
-        throw InvalidInput("--layout: " + file + " has " + (x.cols() == 0 ? "no particle" : "one particle") +
-                           "; at least two are needed, each on a line");
     check_lengths(options.spacing, options.smoothing_from, x.cols());
+    for (double& place : x.reshaped())
+        if (const double side = std::round(place);
+            options.on_square && std::abs(place - side) < end_tolerance)
+            place = side;
     return x;
 }
 
-/// \throws InvalidInput for a name that is no layout
+/// Whether layouts around a hole are among those that may be asked for.
+bool around_a_hole(const CloudOptions& options) {
+    return !options.on_square && options.dimension == 2;
+}
+
+/// \throws InvalidInput for a name that is no layout of the test
 void check_name(const CloudOptions& options, const std::string& layout) {
-    if (options.dimension == 3)
-        throw InvalidInput("--layout " + layout + " is none in space; choose grid or a file");
-    static_cast<void>(Layouts({layout}, {}, 0, options.smoothing));
+    if (!is_around_a_hole(layout) || !around_a_hole(options))
+        throw InvalidInput("there is no layout '" + layout +
+                           "' here; choose grid, stretched-G (such as stretched-4), " +
+                           (around_a_hole(options) ? "graded-N-A, polar-AxR, " : "") +
+                           "or a file (a name with a dot or a slash)");
 }
 
 template <int dim>
@@ -144,7 +153,9 @@ Placed<dim> all_of(const std::string& layout, const particles::Points<dim>& x) {
 void add_draw_options(CommandLine& app, CloudOptions& options) {
     app.add_list("--perturb", options.perturbations,
                  "amplitudes a, a list: particles of a grid move by U(-1,1) a delta (default 0)");
-    app.add_option("--seed", options.seed, "first seed of perturbations and graded layouts (default 1)")
+    app.add_option("--seed", options.seed,
+                   std::string("first seed of perturbations") +
+                       (options.on_square ? "" : " and graded layouts") + " (default 1)")
         .type_name("S")
         .within(1, 4000000000);
     app.add_option("--seeds", options.seeds, "number of seeds: S, S+1, ... (default 1)")
@@ -176,7 +187,12 @@ void add_options(CommandLine& app, CloudOptions& options) {
                  "particles along a side of a grid: a list or a range (default 16,31,61; in space 9,13,17)");
     app.add_list(
            "--layout", options.layouts,
-           "layouts, separated by commas: grid (default); stretched-G, a grid whose distances grow by a factor G along each axis; in the plane graded-N-A or polar-AxR around a hole, as `hole` takes them; or a file with a line x,y or x,y,z for each particle")
+           std::string(
+               "layouts, separated by commas: grid (default); stretched-G, a grid whose distances grow by a factor G along each axis; ") +
+               (options.on_square
+                    ? ""
+                    : "in the plane graded-N-A or polar-AxR around a hole, as `hole` takes them; ") +
+               "or a file with a line x,y or x,y,z for each particle")
         .type_name("NAME|FILE[,...]");
     app.add_list("--columns", options.columns,
                  "the columns of positions in a file, by names or by numbers from 1 (default: x,y,z)")
@@ -190,7 +206,7 @@ void add_options(CommandLine& app, CloudOptions& options) {
     add_kernel_options(app, options);
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "the spacing delta of h/delta: mean (default) or largest; or one for each particle: local, nearest, K-nearest (such as 8-nearest); a length; or a file with a number for each particle, FILE or FILE:COLUMN")
+           "the spacing delta of h/delta: mean (default; on a stretched grid, that of the grid, stretched as at each particle) or largest; or one for each particle: local, nearest, K-nearest (such as 8-nearest); a length; or a file with a number for each particle, FILE or FILE:COLUMN")
         .type_name("NAME");
     app.add_option("--function", options.function,
                    "the function B (default " + std::string(derivative_test::function_typed<2>) +
@@ -218,6 +234,8 @@ void complete(CloudOptions& options) {
         check_apart({{"--smoothing-from", named_file(options.smoothing_from).path},
                      {"--output", options.output},
                      {"--plot", options.figure.path}});
+    for (const std::string& layout : layouts)
+        if (!is_grid(layout) && !is_file(layout)) check_name(options, layout);
     check_effect(options, grid, file);
     static_cast<void>(formulations_of(options));
     check_numbers(options, grid);
@@ -226,7 +244,6 @@ void complete(CloudOptions& options) {
             options.dimension == 2 ? std::vector<long>{16, 31, 61} : std::vector<long>{9, 13, 17};
     for (const std::string& layout : layouts) {
         static_cast<void>(growth_of(layout));
-        if (!is_grid(layout) && !is_file(layout)) check_name(options, layout);
         if (is_file(layout) && !options.files.contains(layout))
             options.files[layout] =
                 options.dimension == 2 ? positions_in<2>(options, layout) : positions_in<3>(options, layout);
@@ -356,8 +373,7 @@ std::vector<std::string> comments(const CloudOptions& options, const std::string
                 options.function.value_or(std::string(options.dimension == 2
                                                           ? derivative_test::function_typed<2>
                                                           : derivative_test::function_typed<3>)),
-            "equations: " + equations, kernel_comment(options),
-            "quality: R, the factor in the bound of the error of second derivatives in powers of delta"};
+            "equations: " + equations, kernel_comment(options)};
 }
 
 template Placed<2> placed(const CloudOptions&, const CloudCase&);

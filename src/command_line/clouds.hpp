@@ -23,6 +23,7 @@ struct CloudOptions {
     bool median = false, states = false;
     long sample = 0;
     std::optional<std::string> kernel, cut, function;
+    bool on_square = false;  ///< whether the test is one of the unit square or cube
     double smoothing = 1.2;
     std::string smoothing_from = "mean";
     int threads = 0;

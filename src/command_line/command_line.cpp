@@ -108,17 +108,33 @@ template CommandLine::Option CommandLine::add_option(const std::string&, std::op
 template CommandLine::Option CommandLine::add_option(const std::string&, std::vector<std::string>&,
                                                      const std::string&);
 
+namespace {
+
+/// Reads a list, and leaves out what it has already.
+template <class Value>
+auto each_once(std::vector<Value> (*read)(const std::string&, const std::string&)) {
+    return [read](const std::string& option, const std::string& text) {
+        std::vector<Value> once;
+        for (const Value& value : read(option, text))
+            if (std::find(once.begin(), once.end(), value) == once.end()) once.push_back(value);
+        return once;
+    };
+}
+
+}  // namespace
+
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<std::string>& values,
                                           const std::string& about) {
-    return Option(option_that_reads(*app_, name, values, about, names)->type_name("NAME[,NAME...]"));
+    return Option(
+        option_that_reads(*app_, name, values, about, each_once(names))->type_name("NAME[,NAME...]"));
 }
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<double>& values,
                                           const std::string& about) {
-    return Option(option_that_reads(*app_, name, values, about, numbers)->type_name("LIST"));
+    return Option(option_that_reads(*app_, name, values, about, each_once(numbers))->type_name("LIST"));
 }
 CommandLine::Option CommandLine::add_list(const std::string& name, std::vector<long>& values,
                                           const std::string& about) {
-    return Option(option_that_reads(*app_, name, values, about, whole_numbers)->type_name("LIST"));
+    return Option(option_that_reads(*app_, name, values, about, each_once(whole_numbers))->type_name("LIST"));
 }
 
 CommandLine::Option CommandLine::add_repeated(const std::string& name, std::vector<Typed>& all,
@@ -147,6 +163,10 @@ void CommandLine::column_width(std::size_t letters) {
 
 std::string CommandLine::name() const {
     return app_->get_name();
+}
+
+bool CommandLine::given(const std::string& option) const {
+    return app_->count(option) > 0;
 }
 
 namespace {

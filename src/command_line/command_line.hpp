@@ -50,7 +50,7 @@ class CommandLine {
     Option add_option(const std::string& name, Value& value, const std::string& about);
 
     /// One option with a list: names separated by commas, or numbers as numbers() and whole_numbers() read
-    /// them.
+    /// them. What it has twice counts once.
     Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& about);
     Option add_list(const std::string& name, std::vector<double>& values, const std::string& about);
     Option add_list(const std::string& name, std::vector<long>& values, const std::string& about);
@@ -69,6 +69,9 @@ class CommandLine {
     void column_width(std::size_t letters);
 
     [[nodiscard]] std::string name() const;
+
+    /// Whether an option was on the command line, once it is read.
+    [[nodiscard]] bool given(const std::string& option) const;
 
     /// Reads the arguments. \return an exit code of 0 if `--help` was printed, else nothing
     /// \throws base::InvalidInput for arguments that the options do not allow, and for an empty value

@@ -130,6 +130,7 @@ Rows state_rows(const std::vector<Cell>& named, const Solved& solved, const std:
 
 void add_options(CommandLine& app, ExampleOptions& options, const std::string& places) {
     app.column_width(34);
+    options.given = [&app](const std::string& option) { return app.given(option); };
     app.add_list(
         "--method", options.methods,
         "methods: all of the paper (default), or some of strong (collocation), weak1, weak2 (MLPG), and fpm, collocation by the second-order FPM");
@@ -141,7 +142,10 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
         .type_name("RATIO");
     app.add_option(
            "--smoothing-from", options.smoothing_from,
-           "smoothing lengths h: nearest (default: each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest), local (to the farthest of the 4 nearest), mean (the spacing of a grid of as many particles), largest (the largest distance to a nearest particle), a number (for stretched grids), or a file with a number for each particle, FILE or FILE:COLUMN")
+           "smoothing lengths h: nearest (default" +
+               (options.fpm_smoothing_from == "nearest" ? std::string()
+                                                        : ", but " + options.fpm_smoothing_from + " of fpm") +
+               ": each particle's distance to the nearest other one), K-nearest (to the farthest of the K nearest, such as 6-nearest), local (to the farthest of the 4 nearest), mean (the spacing of a grid of as many particles), largest (the largest distance to a nearest particle), a number (for stretched grids), or a file with a number for each particle, FILE or FILE:COLUMN")
         .type_name("NAME");
     app.add_list("--degree", options.degree, "degrees m of the complete monomials, 1 to 3 (default 2)");
     app.add_list("--gauss", options.gauss,
@@ -198,31 +202,34 @@ std::vector<std::string> method_names(const ExampleOptions& options) {
     return chosen("method", options.methods, {"strong", "weak1", "weak2", "fpm"});
 }
 
+std::string fpm_smoothing_from_of(const ExampleOptions& options) {
+    return options.smoothing_from.value_or(options.fpm_smoothing_from);
+}
+
 bool is_weak(const std::string& method) {
     return method.starts_with("weak");
 }
 
 /// \throws InvalidInput for an option that changes nothing
 void check_effect(const ExampleOptions& options, const std::vector<std::string>& methods) {
-    const ExampleOptions untouched;
-    const auto refuse_without = [&](bool asked, const std::string& option, bool changed,
-                                    const std::string& whose) {
-        if (changed && !asked)
+    const auto refuse_without = [&](bool asked, const std::string& option, const std::string& whose) {
+        if (options.given(option) && !asked)
             throw InvalidInput(option + " belongs to " + whose + " to --method, or leave " + option + " out");
     };
     const bool weak = std::any_of(methods.begin(), methods.end(), is_weak);
     const std::string weak_forms = "the weak forms; add weak1 or weak2";
-    refuse_without(weak, "--gauss", options.gauss != untouched.gauss, weak_forms);
-    refuse_without(weak, "--test-scaling", options.test_scaling != untouched.test_scaling, weak_forms);
-    refuse_without(weak, "--penalty", options.penalty != untouched.penalty, weak_forms);
+    refuse_without(weak, "--gauss", weak_forms);
+    refuse_without(weak, "--test-scaling", weak_forms);
+    refuse_without(weak, "--penalty", weak_forms);
     const auto fpm = std::count(methods.begin(), methods.end(), "fpm");
-    refuse_without(fpm > 0, "--smoothing", options.smoothing != untouched.smoothing, "fpm; add it");
-    refuse_without(fpm < std::ssize(methods), "--degree", options.degree != untouched.degree,
-                   "methods with an SSPH basis; add strong, weak1 or weak2");
+    refuse_without(fpm > 0, "--smoothing", "fpm; add it");
+    for (const char* option : {"--degree", "--scaling"})
+        refuse_without(fpm < std::ssize(methods), option,
+                       "methods with an SSPH basis; add strong, weak1 or weak2");
     const std::string& states = options.states;
     const bool on_a_line =
         !states.empty() && states != "particles" && std::isalpha(static_cast<unsigned char>(states.front()));
-    if (options.points != untouched.points && !on_a_line)
+    if (options.given("--points") && !on_a_line)
         throw InvalidInput("--points belongs to a line of --states; name one, or leave --points out");
 }
 
@@ -239,9 +246,10 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
     const std::vector<std::string> methods = method_names(options);
     check_effect(options, methods);
     const auto plane = elastostatics::plane_named(options.plane);
-    const particles::Spacing smoothing_from = spacing_from(options.smoothing_from);
+    const particles::Spacing smoothing_from = spacing_from(options.smoothing_from.value_or("nearest")),
+                             fpm_smoothing_from = spacing_from(fpm_smoothing_from_of(options));
     if (smoothing_from.kind == particles::Spacing::given)
-        check_apart_from_outputs(options, "--smoothing-from", named_file(options.smoothing_from).path);
+        check_apart_from_outputs(options, "--smoothing-from", named_file(*options.smoothing_from).path);
     double count = 1;
     for (const std::size_t choices :
          {methods.size(), options.poisson.size(), options.degree.size(), options.scaling.size(),
@@ -267,7 +275,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
         for (const double nu : options.poisson) {
             const auto material = elastostatics::checked({E, nu, plane});
             if (method == "fpm") {
-                all.push_back({method, {}, {options.smoothing, smoothing_from}, material});
+                all.push_back({method, {}, {options.smoothing, fpm_smoothing_from}, material});
                 continue;
             }
             for (const long degree : options.degree)
@@ -283,7 +291,7 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
                                                {example_problems::method_named(method), scaling,
                                                 static_cast<int>(degree), factor * penalty(material),
                                                 test_scaling, gauss, smoothing_from},
-                                               {options.smoothing, smoothing_from},
+                                               {},
                                                material});
                             }
         }
@@ -429,11 +437,11 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
         about,
         "strong (3.12) to (3.14), weak1 (3.22) with (3.21), weak2 (3.22) with (3.26); log_error: log10 of (4.4), dn the difference of the norms, nd the norm of the difference"};
     if (std::any_of(cases.begin(), cases.end(), [](const ExampleCase& one) { return one.is_fpm(); }))
-        table_.comments.push_back("fpm: (3.12) to (3.14) with (F24), h/" + options.smoothing_from +
+        table_.comments.push_back("fpm: (3.12) to (3.14) with (F24), h/" + fpm_smoothing_from_of(options) +
                                   " spacing " + base::shown(options.smoothing) + ", support of " +
                                   base::shown(plate_and_hole::cut) + " h; between particles (F25)");
-    if (options.smoothing_from != "nearest")
-        table_.comments.push_back("smoothing lengths from " + options.smoothing_from);
+    if (options.smoothing_from.value_or("nearest") != "nearest")
+        table_.comments.push_back("smoothing lengths from " + *options.smoothing_from);
     table_.columns = case_columns();
     for (const auto& column : layout) table_.columns.push_back(column);
     for (const auto& column : options.states.empty() ? errors : state_columns(cases))
@@ -454,7 +462,8 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
     std::vector<Point<2>> at;
     if (!options_.states.empty()) at = options_.states == "particles" ? places_at(cloud.x()) : places();
     sweep_.attempt(named, [&] {
-        check_lengths(one.fpm.smoothing_from, options_.smoothing_from, cloud.size());
+        check_lengths(one.is_fpm() ? one.fpm.smoothing_from : one.ssph.smoothing_from,
+                      options_.smoothing_from.value_or(""), cloud.size());
         About about;
         const Solution solution = one.is_fpm() ? solved_by_fpm(problem, cloud, one.fpm, about)
                                                : solved_by_ssph(problem, cloud, one.ssph, about);

@@ -21,13 +21,17 @@ struct ExampleOptions {
     std::vector<double> scaling{3}, test_scaling{1}, penalty{1}, poisson{0.33};
     std::vector<long> gauss{10}, degree{2};
     double smoothing = 1.2;
-    std::string plane = "stress", smoothing_from = "nearest";
+    std::string plane = "stress";
+    std::optional<std::string> smoothing_from;
+    std::string fpm_smoothing_from = "nearest";  ///< where --smoothing-from is not given; SSPH takes nearest
     std::string states, field;
     long points = 101;
     bool seconds = false, quality = false;
     int threads = 0;
     std::string output;
     Figure figure;  ///< the program sets the script, --plot the file
+    /// Whether an option is on the command line.
+    std::function<bool(const std::string& option)> given = [](const std::string&) { return false; };
 };
 
 /// Adds the options of an example problem to its command line.

@@ -84,6 +84,10 @@ Layout snapped(Layout layout, const QuarterWithHole& shape, double distance) {
 
 }  // namespace
 
+bool is_around_a_hole(const std::string& name) {
+    return graded(name) || polar(name);
+}
+
 bool is_drawn(const std::string& name) {
     return graded(name).has_value();
 }
@@ -94,7 +98,7 @@ Layouts::Layouts(const std::vector<std::string>& names, const std::vector<std::s
     if (!(std::isfinite(snap) && snap >= 0))
         throw InvalidInput("--snap must be a distance, got " + base::shown(snap));
     for (const std::string& name : names) {
-        if (graded(name) || polar(name) || files_.contains(name)) continue;
+        if (is_around_a_hole(name) || files_.contains(name)) continue;
         if (name.find_first_of("./") == std::string::npos)
             throw InvalidInput("there is no layout '" + name +
                                "'; choose graded-N-A, polar-AxR, or a file (a name with a dot or a slash)");

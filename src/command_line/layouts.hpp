@@ -17,6 +17,9 @@ struct Layout {
     std::string about{};  ///< what was done to its particles
 };
 
+/// Whether the name is one of a layout around a hole: graded-N-A or polar-AxR.
+bool is_around_a_hole(const std::string& name);
+
 /// Whether another draw of the layout of this name is another layout.
 bool is_drawn(const std::string& name);
 

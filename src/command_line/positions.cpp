@@ -26,9 +26,6 @@ using particles::Points;
 
 namespace {
 
-/// What is nearer than this to an end of [0, 1] lies on it, as in layouts.
-constexpr double end_tolerance = 1e-8;
-
 /// The place of the only column that holds positions: of its name or number, else of x, else the first.
 std::size_t place_of_positions(const Columns& file, const std::vector<std::string>& columns) {
     if (columns.size() > 1)
@@ -222,6 +219,9 @@ template <int dim>
 Points<dim> read_points(const std::string& option, const std::string& path,
                         const std::vector<std::string>& columns, const std::string& what) {
     std::vector<double> x = coordinates_in(option, path, columns, what, dim);
+    if (x.size() < 2 * dim)
+        throw InvalidInput(option + ": " + path + " has " + (x.empty() ? "no particle" : "one particle") +
+                           "; at least two are needed, each on a line");
     return Eigen::Map<Points<dim>>(x.data(), dim, static_cast<Index>(x.size()) / dim);
 }
 

@@ -8,6 +8,9 @@
 
 namespace command_line {
 
+/// What is nearer than this to an end of [0, 1], or to a side of the unit square or cube, lies on it.
+inline constexpr double end_tolerance = 1e-8;
+
 /// Positions of particles on a line from a file, as Columns reads it: in its only column, that of the name x,
 /// or the first.
 /// \param columns the name of another column, or its number from 1; empty for none
@@ -23,7 +26,7 @@ particles::Column<double> read_positions(const std::string& path,
 /// \param columns names of two other columns, or their numbers from 1; empty for none
 /// \return in the order of the file [length]
 /// \throws base::InvalidInput naming file, line and value of any line that is not two numbers, or has not the
-///         header's columns
+///         header's columns; and for fewer than two positions
 particles::Points<2> read_points(const std::string& path, const std::vector<std::string>& columns = {});
 
 /// The same for the file of any option, in the plane or in space: x₁, x₂ and x₃, or x, y and z.

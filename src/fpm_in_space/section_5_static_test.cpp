@@ -62,8 +62,8 @@ void require_sides(const Cloud<dim>& cloud) {
     for (int axis = 0; axis < dim; ++axis)
         for (const double end : {0.0, 1.0})
             if (!(cloud.x().row(axis).array() == end).any())
-                throw InvalidInput("the static test needs particles on all sides, and there is none with x" +
-                                   std::to_string(axis + 1) + " = " + shown(end) + "; add them");
+                throw InvalidInput("the static test needs particles on all sides, and there is none with " +
+                                   std::string(1, "xyz"[axis]) + " = " + shown(end) + "; add them");
 }
 
 /// Moves the rows of some particles from the operators.

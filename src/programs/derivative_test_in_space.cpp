@@ -38,13 +38,8 @@ CloudTest<dim> test(const CloudOptions& options) {
             "FPM in space, Section 4: errors of the derivatives at each particle",
             {{"place"}},
             {{{"error_first", {1e-6, 1e-12}}, {"error_second", {1e-6, 2e-10}}, {"quality", {1e-6, 1e-9}}}},
+            "R, the factor in the bound of the error of second derivatives in powers of delta",
             find};
-}
-
-template <int dim>
-report::Table table_of(const CloudOptions& options) {
-    return options.states ? command_line::table_of_states(options, test<dim>(options))
-                          : command_line::table_of_largest(options, test<dim>(options));
 }
 
 }  // namespace
@@ -60,6 +55,7 @@ int main(int argc, char** argv) {
     command_line::add_options(app, options);
     return command_line::run(app, argc, argv, options.threads, options.output, options.figure, [&] {
         command_line::complete(options);
-        return options.dimension == 2 ? table_of<2>(options) : table_of<3>(options);
+        return options.dimension == 2 ? command_line::table_of(options, test<2>(options))
+                                      : command_line::table_of(options, test<3>(options));
     });
 }

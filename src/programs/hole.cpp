@@ -130,11 +130,12 @@ int main(int argc, char** argv) {
         "Layouts: graded-N-A, N particles of which A lie on the hole; polar-AxR, A rays of R particles; or a file with a line x1 x2 for each particle.\n"
         "Example: hole --layout graded-188-11,graded-686-21 --draws 4\n"
         "Another: hole --states x2-axis --plot /tmp/hole.svg\n"
-        "By FPM, which needs the local spacing here: hole --method fpm --smoothing-from local\n"
+        "By the second-order FPM: hole --method strong,fpm --quality\n"
         "Rounded positions: hole --layout body.csv --snap 1e-6");
     Options options;
     options.scaling = {4};
     options.plane = "strain";
+    options.fpm_smoothing_from = "local";  // around the hole, nearest errs three times as much
     options.figure = {"batra2008/figure_17.gp"};
     app.add_list("--layout", options.layouts,
                  "layouts of particles, separated by commas (default graded-188-11)")

@@ -51,13 +51,8 @@ CloudTest<dim> test(const Options& options) {
         "FPM in space, Section 5, Poisson's equation (F17), (F18): errors of values and first derivatives at each particle",
         {{"conditions"}, {"place"}},
         {{{"error_value", {1e-6, 1e-12}}, {"error_first", {1e-6, 1e-10}}, {"quality", {1e-6, 1e-9}}}},
+        "R, the factor in the bound of the error of the Laplacian in powers of delta",
         find};
-}
-
-template <int dim>
-report::Table table_of(const Options& options) {
-    return options.states ? command_line::table_of_states(options, test<dim>(options))
-                          : command_line::table_of_largest(options, test<dim>(options));
 }
 
 }  // namespace
@@ -71,6 +66,7 @@ int main(int argc, char** argv) {
         "A solution of your own: static_test_in_space --formulation definite_fpm --function \"sin(3*x)*exp(y)\" --layout stretched-10 --conditions neumann");
     Options options;
     options.figure.script = "fpm_in_space/errors.gp";
+    options.on_square = true;
     app.add_list(
            "--conditions", options.conditions,
            "what is given on the sides, a list or all: dirichlet, values; mixed (default), fluxes on the sides x = 1, y = 1, z = 1 and values on the others; neumann, fluxes, with the reaction c = 1")
@@ -82,6 +78,7 @@ int main(int argc, char** argv) {
         if (options.conditions.size() > 1 && !options.figure.path.empty())
             throw base::InvalidInput("--plot draws one of the conditions; name one by --conditions");
         command_line::complete(options);
-        return options.dimension == 2 ? table_of<2>(options) : table_of<3>(options);
+        return options.dimension == 2 ? command_line::table_of(options, test<2>(options))
+                                      : command_line::table_of(options, test<3>(options));
     });
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,14 +53,16 @@ report::Table table_of(const MembraneOptions& options) {
     report::Table table;
     table.comments = {
         "FPM in space, Section 6: frequencies sqrt(-lambda) of (F20) and (F22) against (F21), pi sqrt(m^2 + ...) in order",
-        "fem_lumped, fem_consistent: (F23), linear triangles between the same particles",
         "ratio_symbol: the same of the symbol on an infinite lattice, at the waves that vanish on the sides; empty where particles do not lie on a lattice",
         command_line::kernel_comment(options)};
+    const std::vector<MembraneCase> all = command_line::cases(options);
+    if (std::any_of(all.begin(), all.end(), [](const MembraneCase& one) { return one.is_elements(); }))
+        table.comments.emplace_back(
+            "fem_lumped, fem_consistent: (F23), linear triangles between the same particles");
     table.columns = {{"formulation"}, {"particles"}, {"perturbation"}, {"seed"}};
     for (const report::ColumnHead& column : command_line::columns_of_modes()) table.columns.push_back(column);
     table.columns.push_back({"ratio_symbol", {1e-8, 1e-9}});
     command_line::Sweep sweep(table, 4);
-    const std::vector<MembraneCase> all = command_line::cases(options);
     const auto results = command_line::computed_in_parallel(
         all, [&](const MembraneCase& one) { return result<dim>(options, one); });
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -91,6 +94,7 @@ int main(int argc, char** argv) {
         "In space: vibration_test_in_space --dimension 3 --particles 9 --lowest 4 --formulation definite_fpm");
     MembraneOptions options;
     options.formulations.clear();
+    options.on_square = true;
     options.figure.script = "fpm_in_space/figure_membrane.gp";
     app.column_width(34);
     app.add_option("--dimension", options.dimension, "2, the plane (default), or 3, space")

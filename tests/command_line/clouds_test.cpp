@@ -101,7 +101,7 @@ TEST_CASE("clouds: what changes nothing, has no meaning or cannot be drawn is re
         o.layouts = {"graded-188-11"};
         o.particles = {9};
     });
-    check_refused("choose grid or a file", [](CloudOptions& o) {
+    check_refused("choose grid, stretched-G (such as stretched-4), or a file", [](CloudOptions& o) {
         o.dimension = 3;
         o.layouts = {"graded-188-11"};
     });

@@ -123,7 +123,9 @@ TEST_CASE("positions: in the plane two numbers on a line, between them a comma o
         REQUIRE(x.cols() == 2);
         CHECK(x == (particles::Points<2>(2, 2) << 0, 1, 0.25, 2).finished());
     }
-    CHECK(points("# nothing\nx1, x2\n").cols() == 0);
+    CHECK_THROWS_WITH_AS(points("# nothing\nx1, x2\n"),
+                         doctest::Contains("has no particle; at least two are needed"), base::InvalidInput);
+    CHECK_THROWS_WITH_AS(points("0 1\n"), doctest::Contains("has one particle"), base::InvalidInput);
     CHECK(points("+0,+0.25,\n1D0, 2,\n") == points("0 0.25\n1 2\n"));
     CHECK(points("x,y,\n0,0.25,\n1,2,\n") == points("0 0.25\n1 2\n"));
     for (const char* text : {"id,u,v\n1,0,0.25\n2,1,2\n", "id,v,u\n1,0.25,0\n2,2,1\n"}) {

@@ -261,7 +261,7 @@ TEST_CASE("bad input: files that hold nothing, text, bytes, or particles that ma
               "the local system is singular"},
              {"vibration_test --positions ", "", 2, "Is a directory"},
              {"stencil --formulation fpm --positions ", "nothing", 2, "No such file or directory"},
-             {"hole --layout ", "empty", 2, "at least 2 particles, got 0"},
+             {"hole --layout ", "empty", 2, " has no particle; at least two are needed"},
              {"hole --layout ", "text", 2, "line 2: 'it is no table.' has 4 columns; a layout needs x,y"},
              {"hole --layout ", "bytes", 2, "bytes, line "},
              {"hole --layout ", "outside", 2, "particle 0 at (0, 0) lies outside the body"},

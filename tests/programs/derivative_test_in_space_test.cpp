@@ -116,7 +116,7 @@ TEST_CASE("derivative_test_in_space: what has no meaning is refused, with what t
                   "the function is not real and bounded near (x, y) = (0, 0)");
     check_refused(name + "--function 'x*z'", 2, "there is no 'z'");
     check_refused(name + "--dimension 4", 2, "--dimension");
-    check_refused(name + "--dimension 3 --layout graded-188-11", 2, "choose grid or a file");
+    check_refused(name + "--dimension 3 --layout graded-188-11", 2, "(such as stretched-4), or a file");
     check_refused(name + "--layout none.csv", 2, "cannot read none.csv");
     check_refused(name + "--particles 2", 2, "--particles: a side needs at least 3, got 2");
     check_refused(name + "--particles 11 --perturb 0.5", 2, "--perturb must lie in [0, 1/2), got 0.5");

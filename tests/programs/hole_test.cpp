@@ -73,7 +73,8 @@ TEST_CASE("hole: bad invocations end with one line, exit code 2 and no output") 
              {"--layout " + file("outside.csv", "0 1\n1 2\n1 9\n"),
               "particle 2 at (1, 9) lies outside the body"},
              {"--layout " + file("twice.csv", "0 1\n1 2\n1 2\n"), "coincide at (1, 2)"},
-             {"--layout " + file("empty.csv", "# nothing\n"), "a cloud needs at least 2 particles, got 0"}})
+             {"--layout " + file("empty.csv", "# nothing\n"),
+              "empty.csv has no particle; at least two are needed"}})
         programs::check_refused("hole " + options, 2, reason);
     programs::check_refused("hole --layout /nowhere.csv", 2, "cannot read /nowhere.csv");
 }

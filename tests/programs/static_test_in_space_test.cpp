@@ -2,12 +2,16 @@
 #include <array>
 #include <string>
 
+#include "base/text.hpp"
+#include "report/file.hpp"
 #include "report/table.hpp"
+#include "tests/folder.hpp"
 #include "tests/programs/run.hpp"
 #include "tests/relative.hpp"
 
 using programs::check_refused;
 using programs::run;
+using support::Folder;
 using support::relative;
 
 namespace {
@@ -46,6 +50,27 @@ TEST_CASE("static_test_in_space: exact on quadratics that are typed, on stretche
     }
 }
 
+TEST_CASE(
+    "static_test_in_space: a file of a grid gives the errors of the grid, also where its sides are rounded") {
+    const Folder folder;
+    std::string grid;
+    for (int i = 0; i <= 8; ++i)
+        for (int j = 0; j <= 8; ++j)
+            grid += (i == 0   ? "1e-9"
+                     : i == 8 ? "0.999999999"
+                              : base::shown(i / 8.0)) +
+                    "," + base::shown(j / 8.0) + "\n";
+    report::write_whole(folder.path + "/grid.csv", grid);
+    const std::string command = "static_test_in_space --formulation definite_fpm --conditions neumann ";
+    const auto file = report::parsed(
+                   run(command + "--layout " + folder.path + "/grid.csv --smoothing-from 0.125").output),
+               same = report::parsed(run(command + "--particles 9,9").output);
+    REQUIRE(same.rows.size() == 3);
+    double largest = 0;
+    for (std::size_t row = 0; row < 3; ++row) largest = std::max(largest, number(same, row, "error_value"));
+    CHECK(number(file, 0, "error_value") == relative(largest, 1e-9));
+}
+
 TEST_CASE("static_test_in_space: states have the largest errors among them, on any number of threads") {
     const std::string command =
         "static_test_in_space --formulation definite_fpm --particles 9 --perturb 0.25 --seed 4";
@@ -63,7 +88,9 @@ TEST_CASE("static_test_in_space: states have the largest errors among them, on a
 TEST_CASE("static_test_in_space: what has no meaning is refused, with what to do") {
     const std::string name = "static_test_in_space ";
     check_refused(name + "--conditions robin", 2, "choose one of all, dirichlet, mixed, neumann");
-    check_refused(name + "--layout graded-188-11", 2, "move and scale them");
+    for (const char* layout : {"graded-188-11", "stretched", "Grid"})
+        check_refused(name + "--layout " + layout, 2,
+                      "choose grid, stretched-G (such as stretched-4), or a file");
     check_refused(name + "--layout stretched-1", 2, "distances do not grow; take grid");
     check_refused(name + "--layout stretched-5000", 2, "by a factor from 0.001 to 1000, got 5000");
     check_refused(name + "--layout stretched-10 --particles 12 --formulation ssph --smoothing 0.5", 1,
