@@ -82,7 +82,8 @@ set style line 32 linecolor rgb "#12507b" dashtype 1      pointtype 7  pointsize
 set style line 33 linecolor rgb "#3aa078" dashtype (3,2)  pointtype 8  pointsize 0.9 linewidth 1.6
 set style line 35 linecolor rgb "#6b2f8a" dashtype (10,3,2,3) pointtype 5 pointsize 0.7 linewidth 1.6
 set style line 34 linecolor rgb "#c4c4c4" dashtype 1      linewidth 5  # a band on which the curves lie
-title_strong = "strong"; title_weak1 = "weak1"; title_weak2 = "weak2"
+# The formulation fpm of the first paper is another.
+method_title(name) = name eq "fpm" ? "second-order FPM" : name
 method_style(name) = name eq "strong" ? 31 : name eq "weak1" ? 32 : name eq "weak2" ? 33 : name eq "fpm" ? 35 : 34
 method(name) = strcol("method") eq name ? 1 : NaN
 one_row = "set key maxrows 1 width -1 samplen 3"
@@ -101,6 +102,7 @@ if (!exists("signed")) signed = 0
 curves = ""; values = ""; perturbations = ""; comments = ""; columns = ""
 x_least = 1e300; x_most = -1e300; y_least = 1e300; y_most = -1e300
 with_word(list, w) = strstrt(" " . list . " ", " " . w . " ") > 0 ? list : list eq "" ? w : list . " " . w
+# Of an a that is no number, b.
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
 note_line(line) = line[1:1] eq "#" ? (comments = comments . line . "\n", 0) \
@@ -108,8 +110,8 @@ note_line(line) = line[1:1] eq "#" ? (comments = comments . line . "\n", 0) \
 note(x, y) = (y > 0 || (signed && y <= 0)) && \
     (curves = with_word(curves, strcol(curve_column)), \
      values = strlen(values) < 9999 ? with_word(values, strcol(x_column)) : values, \
-     x_least = least(x_least, x), x_most = most(x_most, x), \
-     y_least = least(y_least, y), y_most = most(y_most, y), \
+     x_least = least(x, x_least), x_most = most(x, x_most), \
+     y_least = least(y, y_least), y_most = most(y, y_most), \
      perturbations = has("perturbation") ? with_word(perturbations, strcol("perturbation")) : "", 0)
 has(name) = !user || strstrt("," . columns . ",", "," . name . ",") > 0
 # The rest of the line behind a mark in the table's comments; empty without the mark.
@@ -140,7 +142,8 @@ order(o) = ": order " . (o < -0.005 ? "−" : "") . sprintf("%.2f", abs(o))
 observe(name, N, e) = sprintf("n = 0; sx = 0.0; sy = 0.0; sxx = 0.0; sxy = 0.0; \
     stats table using (add(log(%s), %s)) nooutput; \
     order_%s = spread(n, sx, sxx) > 1e-6 * sxx ? order((sx * sy - n * sxy) / spread(n, sx, sxx)) : ''", N, e, name)
-titled(name) = title(name) . (exists("order_" . name) ? value("order_" . name) : "")
+order_of(name) = exists("order_" . name) ? value("order_" . name) : ""
+titled(name) = title(name) . order_of(name)
 decade_below(y) = 10**floor(log10(y) - 1e-9)
 decade_above(y) = 10**ceil(log10(y) + 1e-9)
 # Rows of a formulation with one perturbation; of particles from a file no perturbation is known.

@@ -20,11 +20,10 @@ if (user) {
     do for [name in curves] { eval(observe(name, "method('" . name . "') * (column('nx') - 1)", "10**column('log_error_dn')")) }
     set key maxrows 3
     set yrange [floor(y_least - 0.01):ceil(y_most + 0.01)]
-    title_fpm = "second-order FPM"
 } else {
     set object 1 polygon from 0.03,-3.6 to 0.06,-3.6 to 0.06,-2.998 to 0.03,-3.6 fillstyle empty border linecolor rgb "#666666"
     set label 1 "2" at 0.0615,-3.3 textcolor rgb "#666666"
     set label 2 "1" at 0.0424,-3.72 center textcolor rgb "#666666"
 }
 plot for [name in curves] table using (method(name) / (column("nx") - 1)):"log_error_dn" \
-         with linespoints linestyle method_style(name) title titled(name)
+         with linespoints linestyle method_style(name) title method_title(name) . order_of(name)

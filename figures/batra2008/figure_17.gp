@@ -12,10 +12,10 @@ set lmargin at screen 0.11; set rmargin at screen 0.52
 set xrange [x_least:x_most]
 set yrange [(y_least < 0 ? 1.05e-9 * y_least : 0):(y_most > 3.5e9 ? 1.05e-9 * y_most : 3.5)]
 set ylabel "σ₁₁ / σ₀"
-set key at screen 0.5,0.07 center center maxrows 1 width -1
+set key at screen 0.5,0.07 center center maxrows (user ? 2 : 1) width -1
 plot table using (method(word(curves, words(curves) > 1 ? 2 : 1)) * column("x2")):(column("s11_exact") / 1e9) with lines linestyle 34 title "exact", \
      for [name in curves] table using (method(name) * column("x2")):(column("s11") / 1e9) \
-         with linespoints linestyle method_style(name) pointinterval 10 title name
+         with linespoints linestyle method_style(name) pointinterval 10 title method_title(name)
 set lmargin at screen 0.57; set rmargin at screen 0.97
 set xrange [x_least:2 * x_least]
 unset ylabel; unset key; set format y ""

@@ -10,6 +10,19 @@ if (!user || (x_least < 3.5 && x_most > 3.5)) {
     set arrow from 3.5, graph 0 to 3.5, graph 1 nohead linecolor rgb "#888888" dashtype (4,4)
     set label "stable from here on, says the print" at 3.55, graph 0.96 textcolor rgb "#444444" font ",12"
 }
-if (!user) { curves = methods } else { set title "Error of the plate against the scaling factor" }
-plot for [name in curves] table using (method(name) * column("scaling")):"log_error_dn" \
-         with linespoints linestyle method_style(name) title name
+draw = 'plot for [name in curves] table using (method(name) * column("scaling")):"log_error_dn" \
+        with linespoints linestyle method_style(name) title name'
+if (user) {
+    set title "Error of the plate against the scaling factor"
+    set key maxrows 2
+    set offsets 0, 0, graph 0.1, 0
+    # FPM has no scaling factor: its error is a level line.
+    all = curves; curves = ""
+    do for [name in all] {
+        if (name ne "fpm") { curves = with_word(curves, name) } else {
+            draw = draw . ', table using (x_least):(method("fpm") * column("log_error_dn")):(x_most - x_least):(0) \
+                with vectors nohead linestyle method_style("fpm") title method_title("fpm")'
+        }
+    }
+} else { curves = methods }
+eval(draw)

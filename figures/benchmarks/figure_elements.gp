@@ -23,12 +23,15 @@ note_curve(problem, curve) = problem . curve eq "platestrong3" ? 0 : \
 stats table using (note_curve(strcol("problem"), strcol("method") . strcol("degree"))) nooutput
 number(curve) = words(substr(" " . curves . " ", 1, strstrt(" " . curves . " ", " " . curve . " "))) + 1
 row(problem, curve) = strcol("problem") eq problem && strcol("method") . strcol("degree") eq curve ? 1 : NaN
+stats table using (row("plate", "strong3") * most(column("local_error"), 10**column("log_error"))) nooutput
+round_off = sprintf("strong, m = 3:\nbelow 10^{−%.0f}", -log10(decade_above(STATS_max)))
 
 headings = "'plate' 'quarter with a hole' 'Poisson’s equation'"
 local_errors = "'of u₂ at the lower edge' 'of stress at the hole' 'of flux at (0, ½)'"
 set multiplot
 set logscale xy
 set format x "10^{%T}"
+set yrange [2e-9:1]; set ytics (1, 1e-2, 1e-4, 1e-6, 1e-8, '' 1e-1 1, '' 1e-3 1, '' 1e-5 1, '' 1e-7 1)
 unset key
 do for [k = 1:3] {
     problem = word(problems, k); here = value("curves_" . problem)
@@ -37,11 +40,10 @@ do for [k = 1:3] {
     do for [part = 0:2] {
         set tmargin at screen 0.965 - 0.285 * part - 0.02 * (part == 2); set bmargin at screen 0.765 - 0.285 * part - 0.02 * (part == 2)
         set title (part == 0 ? word(headings, k) : part == 2 ? word(local_errors, k) : "") font ",13" offset 0,-0.6
-        set ylabel (k > 1 ? "" : part == 2 ? "local error" : "L_2 error")
+        set ylabel (k > 1 ? "" : part == 2 ? "local error" : "L₂ error")
         set xlabel (part == 1 ? "unknowns" : "seconds") offset 0,0.5
         if (part == 1) { set xrange [60:1.5e5]; set xtics (1e2, 1e3, 1e4, 1e5) } else { set xrange [1e-3:12]; set xtics (1e-3, 1e-2, 1e-1, 1, '' 10) }
-        if (part == 2) { set yrange [1e-6:1] } else { set yrange [1e-7:0.5] }
-        if (problem eq "plate" && part == 0) { set label 1 "strong,\nm = 3: 10^{−9}" at 1.3e-3,1e-6 font ",11" textcolor rgb "#c8501e" } else { unset label 1 }
+        if (problem eq "plate") { set label 1 round_off at graph 0.05,0.22 font ",12" textcolor rgb "#c8501e" } else { unset label 1 }
         plot for [c in here] table using (row(problem, c) * (part == 1 ? column("unknowns") : column("seconds"))): \
              (part == 2 ? column("local_error") : 10**column("log_error")) with linespoints linestyle number(c)
     }

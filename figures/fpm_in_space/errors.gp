@@ -6,8 +6,18 @@ with_triangles = exists("ours")
 of_values = system("grep -c '^formulation.*,error_value,' '" . table . "'") + 0 > 0
 curve_column = "formulation"; x_column = "particles"; y_column = of_values ? "error_value" : "error_second"
 load "figures/style.gp"
-places = ""
-stats table using (places = with_word(places, strcol("place")), 0) nooutput
+# A case that failed has a row without a place.
+key(name, place, p) = name . "/" . place . "/" . p
+places = ""; present = ""; layout = ""; conditions = ""; several = 0
+first_of(known, name) = (several = several || (known ne "" && name ne known), known eq "" ? name : known)
+note_place(place) = (places = with_word(places, place), \
+    present = with_word(present, key(strcol("formulation"), place, strcol("perturbation"))), \
+    layout = first_of(layout, strcol("layout")), \
+    conditions = of_values ? first_of(conditions, strcol("conditions")) : "", 0)
+stats table using (strcol("place") eq "" ? 0 : note_place(strcol("place"))) nooutput
+if (several) { exit error "this figure is of one layout" . (of_values ? " under one of the conditions" : "") }
+about = (of_values ? "Poisson's equation, " . conditions . ": largest" : "Largest") . " errors by place" . \
+        (layout eq "grid" ? "" : " on " . layout) . " for B = " . comment(" for B = ")
 stats table using (column("error_first") > 0 ? column("error_first") : NaN) nooutput
 first_least = STATS_min; first_most = STATS_max
 
@@ -37,12 +47,13 @@ set xrange [0.85 * x_least : 1.18 * x_most]
 set xtics () font ",12"
 do for [n in values] { eval("set xtics add (" . n . ")") }
 unset key
-set label 1 "Largest errors by place for B = " . comment(" for B = ") at screen 0.5,0.987 center font ",13" noenhanced
+set label 1 about at screen 0.5,0.987 center font (strlen(about) > 90 ? ",11" : ",13") noenhanced
 set label 2 "kernel " . comment("# kernel ") at screen 0.5,0.966 center font ",11" noenhanced
 do for [second = 0:1] {
     set tmargin at screen 0.535 + 0.375 * second; set bmargin at screen 0.215 + 0.375 * second
     if (second) { set yrange [decade_below(y_least) : decade_above(y_most)] }
     else { set yrange [decade_below(first_least) : decade_above(first_most)] }
+    shown = second ? y_column : "error_first"
     set xlabel (second ? "" : "particles along a side")
     if (second && with_triangles) {
         before = 1.0 * word(values, words(values) - 2); factor = x_most / before
@@ -54,10 +65,15 @@ do for [second = 0:1] {
         set lmargin at screen 0.12 + 0.44 * (k - 1); set rmargin at screen (k == panels ? 0.98 : 0.53)
         set format y (k == 1 ? "10^{%T}" : "")
         set ylabel (k > 1 ? "" : second ? "error of " . (of_values ? "values" : "second derivatives") : "error of first derivatives")
-        set title (!second ? "" : p eq "0" ? "uniform" : "perturbed by " . p . " δ" . of_median) font ",13"
-        plot for [name in curves] for [place in places] \
-             table using (at(name, place, p) * column("particles")):(second ? column(y_column) : column("error_first")) \
-             with linespoints linestyle at_place(name, place)
+        set title (!second ? "" : p eq "0" ? (layout eq "grid" ? "uniform" : "not perturbed") : "perturbed by " . p . " δ" . of_median) font ",13"
+        drawn = ""
+        do for [name in curves] { do for [place in places] {
+            if (with_word(present, key(name, place, p)) eq present) {
+                drawn = drawn . (drawn eq "" ? "plot " : ", ") . sprintf("table using (at('%s', '%s', p) * column('particles')):(column(shown)) \
+                    with linespoints linestyle %d", name, place, at_place(name, place))
+            }
+        } }
+        eval(drawn)
         unset label; unset object
     }
 }

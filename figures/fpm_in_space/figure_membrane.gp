@@ -49,7 +49,7 @@ do for [k = 1:panels] {
 set tmargin at screen 0.2; set bmargin at screen 0; set lmargin at screen 0.05; set rmargin at screen 0.95
 unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid; unset label
 set yrange [1:10]
-set label 1 (panels > 1 ? "Numbers of complex pairs, left and right:" : "Numbers of complex pairs:") at screen 0.06,0.22 font ",13"
+set label 1 (panels > 1 ? "Numbers of complex pairs, left and right:" : "Numbers of complex pairs:") at screen 0.06,0.212 font ",13"
 set key at screen 0.05,0.195 left top vertical Left reverse maxrows 4 width 1 samplen 3.5 spacing 1.15 font ",13"
 plot for [name in curves] NaN with linespoints linestyle style(name) title titled(name), \
      for [name in shows_theory] NaN with lines linestyle 40 title "symbol, infinite lattice"

@@ -1,12 +1,13 @@
-# Poisson's equation with fluxes on half of the sides: largest errors of the values (left) and of the first derivatives (right)
-# against the number of particles along a side, in the plane (above) and in space (below).
+# Poisson's equation, mixed: fluxes on half of the sides, values on the others. The largest errors of the values (left) and of
+# the first derivatives (right) against the number of particles along a side, in the plane (above) and in space (below).
 load "figures/style.gp"
-eval(picture(720, 820))
+eval(picture(720, 880))
 file(dim, kind) = "data/fpm_in_space/poisson" . (dim == 3 ? "_in_space" : "") . (kind eq "" ? "" : "_" . kind) . ".csv"
 # Curves: formulation, layout, and the table.
 array formulation[5] = ["ssph", "cubic_ssph", "definite_fpm", "definite_fpm", "definite_fpm"]
 array layout[5] = ["grid", "grid", "grid", "grid", "stretched-10"]
-array words_of[5] = [title("ssph") . ", grid", title("cubic_ssph") . ", grid", "second-order FPM, grid", "perturbed by δ/4, median", "and stretched tenfold, median"]
+array words_of[5] = [title("ssph") . ", grid", title("cubic_ssph") . ", grid", "second-order FPM, grid", \
+                     "second-order FPM, perturbed by δ/4, median", "second-order FPM, stretched tenfold and perturbed, median"]
 table_of(dim, k) = k < 4 ? file(dim, "") : k == 4 || dim == 2 ? file(dim, "draws") : file(dim, "stretched")
 here(k, n) = strcol("formulation") eq formulation[k] && strcol("layout") eq layout[k] && strcol("conditions") eq "mixed" && \
              column("particles") == n ? 1 : NaN
@@ -32,8 +33,9 @@ set multiplot
 set logscale xy
 set format y "10^{%T}"
 unset key
+set label 10 "Poisson's equation: fluxes on x = 1, y = 1, z = 1, values on the other sides" at screen 0.5,0.985 center font ",13"
 do for [dim = 2:3] {
-    set tmargin at screen (dim == 2 ? 0.955 : 0.535); set bmargin at screen (dim == 2 ? 0.63 : 0.21)
+    set tmargin at screen (dim == 2 ? 0.925 : 0.545); set bmargin at screen (dim == 2 ? 0.635 : 0.255)
     if (dim == 2) { set xrange [13:150]; set xtics (16, 31, 61, 121) } else { set xrange [8:19.5]; set xtics (9, 12, 17) }
     set xlabel (dim == 3 ? "particles along a side" : "")
     do for [first = 0:1] {
@@ -48,8 +50,8 @@ do for [dim = 2:3] {
     }
 }
 unset border; unset tics; unset xlabel; unset ylabel; unset title; unset grid
-set tmargin at screen 0.14; set bmargin at screen 0; set lmargin at screen 0.05; set rmargin at screen 0.95
+set tmargin at screen 0.18; set bmargin at screen 0; set lmargin at screen 0.05; set rmargin at screen 0.95
 set yrange [1:10]
-set key at screen 0.05,0.13 left top vertical Left reverse maxrows 3 width 2 samplen 4 font ",13"
+set key at screen 0.11,0.175 left top vertical Left reverse maxrows 5 width 0 samplen 4 font ",13"
 plot for [k = 1:5] NaN with linespoints linestyle 40 + k title words_of[k]
 unset multiplot

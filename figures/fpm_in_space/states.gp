@@ -7,7 +7,10 @@ curve_column = "formulation"; x_column = "particle"; y_column = of_values ? "err
 load "figures/style.gp"
 in_space = strstrt("," . columns . ",", ",z,") > 0
 eval(picture(720, 640))
-set title "Error at each particle by " . title(word(curves, 1)) . ", B = " . comment(" for B = ") . "\nkernel " . comment("# kernel ") noenhanced font ",12"
+conditions = ""
+if (of_values) { stats table using (conditions = strcol("conditions"), 0) nooutput }
+set title (of_values ? "Poisson's equation, " . conditions . ": error" : "Error") . " at each particle by " . title(word(curves, 1)) . \
+    (of_values ? "\n" : ", ") . "B = " . comment(" for B = ") . "\nkernel " . comment("# kernel ") noenhanced font ",12"
 eval(sequential)
 set logscale cb
 set cbrange [y_least == y_most ? 0.5 * y_least : y_least : y_most]
