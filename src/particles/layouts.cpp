@@ -96,23 +96,71 @@ void add_farthest(std::vector<Point<2>>& x, const std::vector<Point<2>>& places,
     }
 }
 
+namespace {
+
+/// A particle, and its distance from another.
+struct Neighbour {
+    double distance;
+    int particle;
+};
+
+/// The particles near each one, in the order of their distances.
+/// \param reach of each particle
+std::vector<std::vector<Neighbour>> neighbours(const std::vector<Point<2>>& x,
+                                               const std::vector<double>& reach) {
+    const Cells<2> cells(columns(x));
+    std::vector<std::vector<Neighbour>> near(x.size());
+    for_each_index(static_cast<Index>(x.size()), [&](Index a) {
+        auto& of_a = near[static_cast<std::size_t>(a)];
+        cells.for_each_within(x[static_cast<std::size_t>(a)], reach[static_cast<std::size_t>(a)],
+                              [&](int b, double squared) {
+                                  of_a.push_back({std::sqrt(squared), b});
+                              });
+        std::sort(of_a.begin(), of_a.end(),
+                  [](const Neighbour& one, const Neighbour& other) { return one.distance < other.distance; });
+    });
+    return near;
+}
+
+/// Gives each place to the particle nearest to it, of equals the first. Such a particle is at most twice as far
+/// from the old owner as the place is.
+void find_owners(std::vector<int>& owners, const std::vector<Point<2>>& places,
+                 const std::vector<Point<2>>& x) {
+    constexpr double twice = 2.001;
+    std::vector<double> away(places.size()), reach(x.size(), 0);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto owner = static_cast<std::size_t>(owners[k]);
+        away[k] = (places[k] - x[owner]).norm();
+        reach[owner] = std::max(reach[owner], 1.001 * twice * away[k]);
+    }
+    const auto near = neighbours(x, reach);
+    for_each_index(static_cast<Index>(places.size()), [&](Index at) {
+        const auto k = static_cast<std::size_t>(at);
+        std::pair<double, int> least{(places[k] - x[static_cast<std::size_t>(owners[k])]).squaredNorm(),
+                                     owners[k]};
+        for (const auto& [distance, b] : near[static_cast<std::size_t>(owners[k])]) {
+            if (distance > twice * away[k]) break;
+            least = std::min(least, {(places[k] - x[static_cast<std::size_t>(b)]).squaredNorm(), b});
+        }
+        owners[k] = least.second;
+    });
+}
+
+}  // namespace
+
 void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& places, std::size_t fixed,
                      int rounds) {
-    std::vector<int> nearest(places.size());
+    std::vector<int> owners(places.size());
+    const Cloud<2> given(columns(x));
+    for_each_index(static_cast<Index>(places.size()), [&](Index k) {
+        owners[static_cast<std::size_t>(k)] = given.nearest(places[static_cast<std::size_t>(k)]);
+    });
     for (int round = 0; round < rounds; ++round) {
-        const Cloud<2> cloud(columns(x));
-        for_each_index(static_cast<Index>(places.size()), [&](Index k) {
-            const Point<2>& place = places[static_cast<std::size_t>(k)];
-            int& owner = nearest[static_cast<std::size_t>(k)];
-            // Well within half its distance from the next particle, a particle is nearer than all others.
-            const double safe = 0.499 * cloud.apart()[owner];
-            if (round == 0 || (place - cloud.x().col(owner)).squaredNorm() > safe * safe)
-                owner = static_cast<int>(cloud.nearest(place));
-        });
+        if (round > 0) find_owners(owners, places, x);
         std::vector<Point<2>> sum(x.size(), Point<2>::Zero());
         std::vector<int> count(x.size(), 0);
         for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto owner = static_cast<std::size_t>(nearest[k]);
+            const auto owner = static_cast<std::size_t>(owners[k]);
             sum[owner] += places[k];
             ++count[owner];
         }
