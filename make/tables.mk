@@ -61,9 +61,8 @@ fpm_in_space/poisson_in_space_stretched = $(bin)/static_test_in_space --dimensio
                          --layout stretched-10 --particles 9,17 --perturb 0.25 --seeds 5 --median
 fpm_in_space/plate     = $(bin)/plate --method strong,fpm --degree 2,3 --scaling 4 --particles $(grids)
 finer := graded-686-21,graded-2600-41
-fpm_in_space/hole      = $(bin)/hole --method strong --draws 11 --layout graded-188-11,$(finer) --quality
+fpm_in_space/hole      = $(bin)/hole --method strong,fpm --draws 11 --layout $(finer) --quality
 fpm_in_space/hole_cubic = $(bin)/hole --method strong --degree 3 --scaling 4.5 --draws 11 --layout graded-188-11,$(finer) --quality
-fpm_in_space/hole_fpm  = $(bin)/hole --method fpm --draws 11 --layout $(finer) --quality
 fpm_in_space/hole_fpm_coarse = $(bin)/hole --method fpm --draws 25 --quality
 fpm_in_space/literal   = $(bin)/derivative_test_in_space --particles 16,31,61 --perturb 0,0.25 --seeds 25 --median --sample 300 \
                          --smoothing 1 --cut 6 --formulation definite_fpm,literal_modified_fpm,literal_fpm_by_derivatives,literal_second_order_fpm

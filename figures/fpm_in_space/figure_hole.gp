@@ -9,7 +9,7 @@ array curve_degree[3] = ["2", "3", ""]
 array formulation[3] = ["ssph", "cubic_ssph", "definite_fpm"]
 # Medians and quartiles of |σ11/σ0 − 3| over the draws of a layout.
 counts = "188 686 2600"
-file(k, N) = k == 2 ? "hole_cubic" : k == 1 ? (N == 188 ? "layouts" : "hole") : N == 188 ? "hole_fpm_coarse" : "hole_fpm"
+file(k, N) = k == 2 ? "hole_cubic" : N > 188 ? "hole" : k == 1 ? "layouts" : "hole_fpm_coarse"
 of_layout(k, N) = kind(curve_name[k], curve_degree[k]) * (column("particles") == N ? 1 : NaN)
 set print $errors
 print "curve,particles,lower,median,upper"

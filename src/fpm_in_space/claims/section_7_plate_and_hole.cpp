@@ -59,8 +59,7 @@ using OfLayouts = std::map<std::pair<std::string, std::string>, double>;
 
 /// A column of the solutions of both methods on the layouts with 188 particles, or on the finer ones.
 OfLayouts on_layouts(const MethodInTables& method, const std::string& column, bool coarse) {
-    const bool of_fpm = method.method == "fpm";
-    const DataTable table(coarse ? (of_fpm ? "hole_fpm_coarse" : "layouts") : of_fpm ? "hole_fpm" : "hole");
+    const DataTable table(!coarse ? "hole" : method.method == "fpm" ? "hole_fpm_coarse" : "layouts");
     return column_of(table, method, column, [](const DataTable& of, std::size_t row) {
         return std::pair(of.table.word(row, "layout"), of.table.word(row, "draw"));
     });
