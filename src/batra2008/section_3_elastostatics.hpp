@@ -265,7 +265,7 @@ struct System {
 /// The displacements \f$u_1, u_2\f$ of each particle. [length]
 /// \throws base::FailedComputation as solvers::solve_sparse()
 inline Eigen::VectorXd solved(System system) {
-    return solvers::solve_sparse(system.A, std::move(system.b), system.nearest);
+    return solvers::solve_sparse(std::move(system.A), std::move(system.b), std::move(system.nearest));
 }
 
 }  // namespace batra2008

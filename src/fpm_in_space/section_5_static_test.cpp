@@ -220,9 +220,10 @@ template <int dim>
 Column<double> solution(const Rows<dim>& rows, const Cloud<dim>& cloud,
                         const std::type_identity_t<Function<dim>>& B, Conditions conditions) {
     Eigen::VectorXd given, same;
-    solvers::SparseRows A = system<dim>(rows.all, cloud, B, conditions, given), nearest;
+    solvers::SparseRows A = system<dim>(rows.all, cloud, B, conditions, given);
     require_finite(given, cloud);
-    if (!rows.nearest.empty()) nearest = system<dim>(rows.nearest, cloud, B, conditions, same);
+    solvers::SparseRows nearest =
+        rows.nearest.empty() ? solvers::SparseRows() : system<dim>(rows.nearest, cloud, B, conditions, same);
     return solvers::solve_sparse(std::move(A), given, std::move(nearest)).array();
 }
 

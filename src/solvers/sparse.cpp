@@ -131,7 +131,7 @@ std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::Vector
     return {};
 }
 
-Eigen::VectorXd solve_sparse(SparseRows A, Eigen::VectorXd b, SparseRows nearest) {
+Eigen::VectorXd solve_sparse(SparseRows&& A, Eigen::VectorXd b, SparseRows&& nearest) {
     const auto refuse = [&](const std::string& why) {
         throw base::FailedComputation(
             "the linear system of " + std::to_string(A.rows()) + " unknowns " + why +

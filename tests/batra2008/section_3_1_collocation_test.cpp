@@ -136,7 +136,8 @@ TEST_CASE(
             System equations = system<2>(problem, Cloud<2>(x), Kernel(rho), Cloud<2>(x).apart(), 0);
             CHECK(equations.nearest.nonZeros() < 0.8 * static_cast<double>(equations.A.nonZeros()));
             solvers::scale_rows(equations.A, equations.b, equations.nearest);
-            const Eigen::VectorXd direct = solvers::solve_sparse(equations.A, equations.b);
+            const Eigen::VectorXd direct =
+                solvers::solve_sparse(solvers::SparseRows(equations.A), equations.b);
             const auto iterated = solvers::iterated(equations.A, equations.b, equations.nearest);
             REQUIRE(iterated.has_value());
             CHECK((*iterated - direct).cwiseAbs().maxCoeff() < 1e-9 * direct.cwiseAbs().maxCoeff());

@@ -119,7 +119,7 @@ TEST_CASE(
     const Cloud<2> cloud(hole::polar_layout({}, 41, 60));
     const auto all = collocated(problem, cloud, {});
     REQUIRE(all.system.nearest.rows() == all.system.A.rows());
-    const Eigen::VectorXd by_factors = solvers::solve_sparse(all.system.A, all.system.b),
+    const Eigen::VectorXd by_factors = solvers::solve_sparse(solvers::SparseRows(all.system.A), all.system.b),
                           iterated = batra2008::solved(all.system);
     CHECK((iterated - by_factors).norm() < 1e-9 * by_factors.norm());
     const Solution solution = solve(problem, cloud, {});

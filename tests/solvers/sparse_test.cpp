@@ -90,23 +90,23 @@ TEST_CASE("sparse: one unknown at a point, and three") {
 TEST_CASE("sparse: a known solution is found") {
     const SparseRows A = random_matrix(200, 5, 1);
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3);
-    CHECK((solve_sparse(A, A * x) - x).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK((solve_sparse(SparseRows(A), A * x) - x).cwiseAbs().maxCoeff() < 1e-13);
 }
 
 TEST_CASE("sparse: rows whose sizes differ by 1e12 are solved as well") {
     SparseRows A = random_matrix(200, 5, 2);
     for (Index row = 0; row < A.rows(); ++row) A.row(row) *= std::pow(10, (row * 7) % 13 - 6);
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3);
-    CHECK((solve_sparse(A, A * x) - x).cwiseAbs().maxCoeff() < 1e-10);
+    CHECK((solve_sparse(SparseRows(A), A * x) - x).cwiseAbs().maxCoeff() < 1e-10);
 }
 
 TEST_CASE("sparse: rows are exchanged where the diagonal is zero") {
     const SparseRows A = random_matrix(60, 0, 3);
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(120, -1, 3);
-    CHECK((solve_sparse(A, A * x) - x).cwiseAbs().maxCoeff() < 1e-10);
+    CHECK((solve_sparse(SparseRows(A), A * x) - x).cwiseAbs().maxCoeff() < 1e-10);
     const SparseRows exchanged =
         full(Eigen::Matrix4d{{0, 1, 0, 0}, {0, 0, 0, 2}, {4, 0, 0, 0}, {0, 0, 8, 0}});
-    CHECK(solve_sparse(exchanged, Eigen::Vector4d(1, 2, 4, 8)) == Eigen::Vector4d::Ones());
+    CHECK(solve_sparse(SparseRows(exchanged), Eigen::Vector4d(1, 2, 4, 8)) == Eigen::Vector4d::Ones());
 }
 
 TEST_CASE("sparse: without a load nothing moves") {
@@ -185,7 +185,7 @@ TEST_CASE("sparse: where the iteration fails the factorisation of A solves") {
     for (SparseRows::InnerIterator entry(singular, 0); entry; ++entry) entry.valueRef() = 0;
     CHECK(!iterated(A, b, singular).has_value());
     for (const SparseRows& nearest : {other, singular})
-        CHECK((solve_sparse(A, b, nearest) - x).cwiseAbs().maxCoeff() < 1e-13);
+        CHECK((solve_sparse(SparseRows(A), b, SparseRows(nearest)) - x).cwiseAbs().maxCoeff() < 1e-13);
 }
 
 TEST_CASE("sparse: a singular system is refused whatever stands for the nearest particles") {
@@ -193,7 +193,7 @@ TEST_CASE("sparse: a singular system is refused whatever stands for the nearest 
     const SparseRows regular = full(Eigen::Matrix4d{{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 1, 0}, {0, 0, 0, 1}});
     for (const SparseRows& nearest : {singular, regular})
         CHECK_THROWS_WITH_AS(
-            solve_sparse(singular, Eigen::Vector4d(1, 2, 5, 1), nearest),
+            solve_sparse(SparseRows(singular), Eigen::Vector4d(1, 2, 5, 1), SparseRows(nearest)),
             "the linear system of 4 unknowns is singular; take another scaling factor, another smoothing length or other particles",
             base::FailedComputation);
 }
@@ -203,10 +203,10 @@ TEST_CASE("sparse: the same bits on any number of threads") {
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(600, -1, 3);
     const int threads = omp_get_max_threads();
     omp_set_num_threads(1);
-    const Eigen::VectorXd alone = solve_sparse(A, b);
-    const Eigen::VectorXd iterated_alone = solve_sparse(A, b, A);
+    const Eigen::VectorXd alone = solve_sparse(SparseRows(A), b);
+    const Eigen::VectorXd iterated_alone = solve_sparse(SparseRows(A), b, SparseRows(A));
     omp_set_num_threads(3);
-    CHECK(solve_sparse(A, b) == alone);
-    CHECK(solve_sparse(A, b, A) == iterated_alone);
+    CHECK(solve_sparse(SparseRows(A), b) == alone);
+    CHECK(solve_sparse(SparseRows(A), b, SparseRows(A)) == iterated_alone);
     omp_set_num_threads(threads);
 }
