@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "particles/close_pair.hpp"
+#include "particles/layers.hpp"
 #include "particles/spacing.hpp"
 
 namespace batra2008::ssph_basis {
@@ -231,8 +232,9 @@ template <int dim>
 std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
                    const Needs<dim>& needs) {
     const Point<dim>& x = needs.x;
-    if (cloud.size() < monomials.number)
-        return "take at least " + std::to_string(monomials.number) + " particles";
+    if (const std::string more = particles::more_particles(cloud, monomials.number, monomials.degree);
+        !more.empty())
+        return more;
     const std::string larger_h = smoothing_remedy(cloud, monomials, rho, needs);
     if (const std::string fewer = fewer_particles(cloud, monomials, rho, needs); !fewer.empty())
         return fewer + (larger_h.empty() ? "" : ", or try " + larger_h);

@@ -83,6 +83,20 @@ Weights<dim> moved(Weights<dim> at, const Point<dim>& s) {
     return at;
 }
 
+/// "try --smoothing 1.6, or ", where that determines the derivatives of FPM at all particles.
+template <int dim>
+std::string larger_smoothing(const Approximation<dim>& approximation) {
+    constexpr auto required = second_order_fpm::required<dim>;
+    const Cloud<dim>& cloud = approximation.cloud();
+    if (!particles::more_particles(cloud, required).empty()) return "";
+    const std::string other = particles::other_smoothing(
+        cloud, approximation.smoothing(), required.particles,
+        [&](const particles::Smoothing<double, dim>& tried) {
+            return particles::determined(cloud, tried, required, second_order_fpm::derivatives<double, dim>);
+        });
+    return other.empty() ? "" : "try " + other + ", or ";
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, Method>>& methods() {
@@ -118,6 +132,11 @@ Approximation<dim>::Approximation(Cloud<dim> cloud, const Discretisation& how)
 }
 
 template <int dim>
+particles::Smoothing<double, dim> Approximation<dim>::smoothing() const {
+    return {Kernel<dim>(cut<dim>), Column<double>(h_ / how_.smoothing), how_.smoothing};
+}
+
+template <int dim>
 std::vector<int> Approximation<dim>::neighbours(Index I) const {
     const double reach = how_.method == Method::fpm ? cut<dim> : how_.scaling;
     return cloud_.within(cloud_.x().col(I), reach * h_[I]);
@@ -134,10 +153,10 @@ Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
                                        particles::neighbourhood(cloud_, kernel, x, h_[I], near)),
                                    near, I, h_[I]);
     } catch (const particles::SingularNeighbourhood& error) {
-        throw base::FailedComputation("fpm: at " + particles::shown_point(x) + " there are " +
-                                      std::to_string(near.size()) + " particles within " +
-                                      particles::shown(cut<dim> * h_[I]) + ", and " + error.what() +
-                                      "; take more particles, by a smaller --size, or other ones");
+        throw base::FailedComputation(
+            "fpm: at " + particles::shown_point(x) + " there are " + std::to_string(near.size()) +
+            " particles within " + particles::shown(cut<dim> * h_[I]) + ", and " + error.what() + "; " +
+            larger_smoothing(*this) + "take more particles, by a smaller --size, or other ones");
     }
 }
 

@@ -8,6 +8,7 @@
 #include "bodies/body.hpp"
 #include "particles/cloud.hpp"
 #include "particles/operators.hpp"
+#include "particles/smoothing.hpp"
 #include "particles/spacing.hpp"
 
 namespace bodies {
@@ -82,6 +83,9 @@ class Approximation {
     [[nodiscard]] const Discretisation& how() const { return how_; }
     /// Smoothing length of each particle. [length]
     [[nodiscard]] const Column<double>& h() const { return h_; }
+
+    /// The kernel of FPM, with these lengths as multiples of the spacing.
+    [[nodiscard]] particles::Smoothing<double, dim> smoothing() const;
 
     /// At a particle.
     /// \throws base::FailedComputation where the neighbours do not determine the derivatives

@@ -12,7 +12,10 @@
 #include "bodies/collocation.hpp"
 #include "bodies/discs.hpp"
 #include "bodies/hats.hpp"
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "particles/multi_index.hpp"
+#include "particles/quality.hpp"
+#include "particles/requirement.hpp"
 #include "solvers/spectrum.hpp"
 
 namespace bodies {
@@ -20,6 +23,7 @@ namespace bodies {
 namespace {
 
 namespace ssph_basis = batra2008::ssph_basis;
+namespace second_order_fpm = fpm_in_space::second_order_fpm;
 
 /// The order of the highest derivative in the equations of each particle.
 template <int dim, int n>
@@ -30,10 +34,26 @@ std::vector<int> highest_derivatives(const Conditions<dim, n>& conditions, Metho
     return order;
 }
 
+constexpr int exact_of_fpm = 3;  // degree of the polynomials whose second derivatives are exact
+
+/// The largest R of the derivatives of order k. \param w weights and \param r offsets, in units of h
+template <int dim>
+double largest_quality(const particles::Derivatives<double, dim>& w, const Offsets<double, dim>& r, int k,
+                       int exact) {
+    double largest = 0;
+    if (k == 1)
+        for (int axis = 0; axis < dim; ++axis)
+            largest = std::max(largest, particles::quality<double, dim>(w.first.col(axis), r, exact));
+    else
+        for (int pair = 0; pair < second_derivatives<dim>; ++pair)
+            largest = std::max(largest, particles::quality<double, dim>(w.second.col(pair), r, exact));
+    return largest;
+}
+
 /// R of the derivatives of order k at a particle, in units of h.
 template <int dim>
 double quality_of_row(const Approximation<dim>& approximation, Index I, int k) {
-    const int exact = approximation.how().method == Method::fpm ? 3 : approximation.how().degree;
+    const int exact = approximation.how().method == Method::fpm ? exact_of_fpm : approximation.how().degree;
     const Weights<dim> at = approximation.at_particle(I);
     const double h = approximation.h()[I];
     Offsets<double, dim> r(static_cast<Index>(at.particle.size()), dim);
@@ -41,15 +61,7 @@ double quality_of_row(const Approximation<dim>& approximation, Index I, int k) {
         r.row(static_cast<Index>(j)) =
             (approximation.cloud().x().col(at.particle[j]) - approximation.cloud().x().col(I)).transpose() /
             h;
-    double largest = 0;
-    if (k == 1)
-        for (int axis = 0; axis < dim; ++axis)
-            largest = std::max(largest, particles::quality<double, dim>(h * at.first.col(axis), r, exact));
-    else
-        for (int pair = 0; pair < second_derivatives<dim>; ++pair)
-            largest =
-                std::max(largest, particles::quality<double, dim>(h * h * at.second.col(pair), r, exact));
-    return largest;
+    return largest_quality<dim>({h * at.first, h * h * at.second}, r, k, exact);
 }
 
 /// R of each particle.
@@ -74,6 +86,35 @@ std::string or_hats(const Body<dim>& body, Method method) {
     return body.cells.empty() || method == Method::hats ? "" : ", or the method hats";
 }
 
+/// Whether the derivatives of particle I by FPM can be trusted with other smoothing lengths.
+template <int dim>
+bool serves(const Cloud<dim>& cloud, const particles::Smoothing<double, dim>& tried, Index I, int k) {
+    const auto near = particles::neighbourhood(cloud, tried, I, particles::within_reach(cloud, tried, I));
+    const auto weights = second_order_fpm::derivatives<double, dim>(near);
+    return largest_quality<dim>(weights, near.r, k, exact_of_fpm) <= ssph_basis::most;
+}
+
+/// What helps where the derivatives of a particle by FPM cannot be trusted: the end of a sentence.
+template <int dim>
+std::string another_smoothing(const Approximation<dim>& approximation, const std::vector<int>& order,
+                              Index worst) {
+    const Cloud<dim>& cloud = approximation.cloud();
+    const auto serves_at = [&](const particles::Smoothing<double, dim>& tried, Index I) {
+        return serves<dim>(cloud, tried, I, order[static_cast<std::size_t>(I)]);
+    };
+    const auto serves_all = [&](const particles::Smoothing<double, dim>& tried) {
+        try {
+            Index I = serves_at(tried, worst) ? 0 : cloud.size() + 1;
+            while (I < cloud.size() && serves_at(tried, I)) ++I;
+            return I == cloud.size();
+        } catch (const base::FailedComputation&) {
+            return false;
+        }
+    };
+    return particles::another_smoothing(cloud, approximation.smoothing(),
+                                        second_order_fpm::required<dim>.particles, serves_all);
+}
+
 /// \throws base::FailedComputation where the worst row is too bad for a solution
 template <int dim>
 Quality checked_quality(const Body<dim>& body, const Approximation<dim>& approximation,
@@ -92,12 +133,12 @@ Quality checked_quality(const Body<dim>& body, const Approximation<dim>& approxi
     worst.R = R.maxCoeff(&worst.particle);
     worst.derivative = order[static_cast<std::size_t>(worst.particle)];
     if (worst.R > ssph_basis::most)
-        throw base::FailedComputation("fpm: particle " + std::to_string(worst.particle) + " at " +
-                                      particles::shown_point(cloud.x().col(worst.particle)) +
-                                      " has the quality number " + base::shown(worst.R, 3) + ", more than " +
-                                      base::shown(ssph_basis::most, 3) +
-                                      ": its derivatives cannot be trusted; try --smoothing " +
-                                      base::shown(1.2 * how.smoothing, 3) + or_hats(body, how.method));
+        throw base::FailedComputation(
+            "fpm: particle " + std::to_string(worst.particle) + " at " +
+            particles::shown_point(cloud.x().col(worst.particle)) + " has the quality number " +
+            base::shown(worst.R, 3) + ", more than " + base::shown(ssph_basis::most, 3) +
+            ": its derivatives cannot be trusted; " +
+            another_smoothing(approximation, order, worst.particle) + or_hats(body, how.method));
     return found;
 }
 

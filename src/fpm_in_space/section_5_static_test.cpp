@@ -94,22 +94,62 @@ double quality(const Row<dim>& at, const Cloud<dim>& cloud, Index i, double delt
 
 constexpr Index block = 512;  // rows whose operators are in memory at once
 
+/// The rows of some particles.
 template <int dim>
 std::vector<Row<dim>> rows_of(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
-                              const Smoothing<double, dim>& smoothing, const Column<double>& spacing) {
-    std::vector<Row<dim>> all(static_cast<std::size_t>(cloud.size()));
-    for (Index first = 0; first < cloud.size(); first += block) {
-        const Range some{first, std::min(first + block, cloud.size())};
+                              const Smoothing<double, dim>& smoothing, const Column<double>& spacing,
+                              const Range& range) {
+    std::vector<Row<dim>> all(static_cast<std::size_t>(range.size()));
+    for (Index first = range.first; first < range.last; first += block) {
+        const Range some{first, std::min(first + block, range.last)};
         const auto operators =
             particles::assemble(cloud, smoothing, formulation.required(), formulation.weights, some);
         base::for_each_index(some.size(), [&](Index row) {
             const Index i = first + row;
-            Row<dim>& at = all[static_cast<std::size_t>(i)];
+            Row<dim>& at = all[static_cast<std::size_t>(i - range.first)];
             take<dim>(operators, row, i, at);
             at.R = quality<dim>(at, cloud, i, spacing[spacing.size() == 1 ? 0 : i], formulation.exact.second);
         });
     }
     return all;
+}
+
+/// The first particle of a range inside whose Laplacian is too bad for a solution; or the end of the range.
+/// \param all the rows of the range
+template <int dim>
+Index first_bad(const std::vector<Row<dim>>& all, const Cloud<dim>& cloud, const Range& range) {
+    Index i = range.first;
+    while (i < range.last && (!outward<dim>(cloud.x().col(i)).isZero() ||
+                              all[static_cast<std::size_t>(i - range.first)].R <= ssph_basis::most))
+        ++i;
+    return i;
+}
+
+/// \throws FailedComputation where a Laplacian inside is too bad for a solution, with what helps
+template <int dim>
+void require_quality(const std::vector<Row<dim>>& all, const Formulation<double, dim>& formulation,
+                     const Cloud<dim>& cloud, const Smoothing<double, dim>& smoothing,
+                     const Column<double>& spacing) {
+    const Range everywhere{0, cloud.size()};
+    const Index i = first_bad<dim>(all, cloud, everywhere);
+    if (i == cloud.size()) return;
+    const auto serves = [&](const Smoothing<double, dim>& tried) {
+        try {
+            for (const Range& range : {Range{i, i + 1}, everywhere})
+                if (first_bad<dim>(rows_of<dim>(formulation, cloud, tried, spacing, range), cloud, range) <
+                    range.last)
+                    return false;
+            return true;
+        } catch (const FailedComputation&) {
+            return false;
+        }
+    };
+    throw FailedComputation(std::string(formulation.name) + ": the Laplacian of particle " +
+                            std::to_string(i) + " (" + particles::position_in_words(cloud, i) +
+                            ") has the quality number " + shown(all[static_cast<std::size_t>(i)].R, 3) +
+                            ", more than " + shown(ssph_basis::most, 3) +
+                            ": no solution by it can be trusted; take another formulation, or " +
+                            particles::another_smoothing(cloud, smoothing, formulation.particles, serves));
 }
 
 /// By SSPH of degree 2 with the value given, on few neighbours.
@@ -203,15 +243,8 @@ template <int dim>
 Rows<dim> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cloud,
                const Smoothing<double, dim>& smoothing, const Column<double>& spacing) {
     require_sides(cloud);
-    Rows<dim> rows{rows_of<dim>(formulation, cloud, smoothing, spacing), {}};
-    for (Index i = 0; i < cloud.size(); ++i)
-        if (const double R = rows.all[static_cast<std::size_t>(i)].R;
-            outward<dim>(cloud.x().col(i)).isZero() && !(R <= ssph_basis::most))
-            throw FailedComputation(
-                std::string(formulation.name) + ": the Laplacian of particle " + std::to_string(i) + " (" +
-                particles::position_in_words(cloud, i) + ") has the quality number " + shown(R, 3) +
-                ", more than " + shown(ssph_basis::most, 3) +
-                ": no solution by it can be trusted; take another formulation, or a larger smoothing length");
+    Rows<dim> rows{rows_of<dim>(formulation, cloud, smoothing, spacing, {0, cloud.size()}), {}};
+    require_quality<dim>(rows.all, formulation, cloud, smoothing, spacing);
     if (cloud.size() > solvers::small_system) rows.nearest = nearest_of<dim>(rows.all, cloud, smoothing);
     return rows;
 }

@@ -10,6 +10,7 @@
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "fpm_in_space/ssph_with_value_given.hpp"
 #include "particles/quality.hpp"
+#include "particles/requirement.hpp"
 
 namespace fpm_in_space::plate_and_hole {
 
@@ -23,12 +24,17 @@ using Entry = particles::Operator<double>::InnerIterator;
 constexpr particles::Requirement required{"fpm", second_order_fpm::required<2>.particles};
 constexpr int exact = 3;  // degree of the polynomials whose second derivatives are exact
 
+Column<double> lengths(const particles::Smoothing<double, 2>& smoothing, Index N) {
+    Column<double> h(N);
+    for (Index I = 0; I < N; ++I) h[I] = smoothing.h(I);
+    return h;
+}
+
 /// The row of the equations whose derivatives are determined worst.
 /// \param order of the highest derivative in the equations of each particle
-/// \throws base::FailedComputation where it is too bad for a solution
-particles::WorstRow checked_quality(const Operators<double, 2>& w, const Cloud<2>& cloud,
-                                    const std::vector<int>& order, const Column<double>& h,
-                                    const Discretisation& how) {
+/// \param h smoothing lengths
+particles::WorstRow worst_row(const Operators<double, 2>& w, const Cloud<2>& cloud,
+                              const std::vector<int>& order, const Column<double>& h) {
     particles::WorstRow worst;
     const auto look_at = [&](const particles::Operator<double>& D, int k) {
         const Column<double> R = particles::quality(D, cloud, k, exact, h);
@@ -37,13 +43,26 @@ particles::WorstRow checked_quality(const Operators<double, 2>& w, const Cloud<2
     };
     for (const auto& D : w.D) look_at(D, 1);
     for (const auto& D2 : w.D2) look_at(D2, 2);
-    if (worst.R > ssph_basis::most)
-        throw base::FailedComputation(
-            "fpm: particle " + std::to_string(worst.particle) + " at " +
-            particles::shown_point(cloud.x().col(worst.particle)) + " has the quality number " +
-            base::shown(worst.R, 3) + ", more than " + base::shown(ssph_basis::most, 3) +
-            ": its derivatives cannot be trusted; try --smoothing " + base::shown(1.2 * how.smoothing, 3));
     return worst;
+}
+
+/// \throws base::FailedComputation where the worst row is too bad for a solution, with what helps
+void require_quality(const particles::WorstRow& worst, const Cloud<2>& cloud, const std::vector<int>& order,
+                     const particles::Smoothing<double, 2>& smoothing) {
+    if (worst.R <= ssph_basis::most) return;
+    const auto serves = [&](const particles::Smoothing<double, 2>& tried) {
+        try {
+            return worst_row(operators(cloud, tried), cloud, order, lengths(tried, cloud.size())).R <=
+                   ssph_basis::most;
+        } catch (const base::FailedComputation&) {
+            return false;
+        }
+    };
+    throw base::FailedComputation("fpm: particle " + std::to_string(worst.particle) + " at " +
+                                  particles::shown_point(cloud.x().col(worst.particle)) +
+                                  " has the quality number " + base::shown(worst.R, 3) + ", more than " +
+                                  base::shown(ssph_basis::most, 3) + ": its derivatives cannot be trusted; " +
+                                  particles::another_smoothing(cloud, smoothing, required.particles, serves));
 }
 
 /// The neighbours of a particle.
@@ -113,12 +132,11 @@ Collocated collocated(Problem problem, const Cloud<2>& cloud, const Discretisati
     problem = batra2008::elastostatics::checked(std::move(problem), cloud);
     const auto smoothing_lengths = smoothing(cloud, how);
     const Index N = cloud.size();
-    Column<double> h(N);
-    for (Index I = 0; I < N; ++I) h[I] = smoothing_lengths.h(I);
-    auto w = operators(cloud, smoothing_lengths);
-    Collocated all{{}, std::move(w)};
-    const auto worst =
-        checked_quality(all.w, cloud, collocation::highest_derivatives(problem, cloud), h, how);
+    const Column<double> h = lengths(smoothing_lengths, N);
+    Collocated all{{}, operators(cloud, smoothing_lengths)};
+    const std::vector<int> order = collocation::highest_derivatives(problem, cloud);
+    const particles::WorstRow worst = worst_row(all.w, cloud, order, h);
+    require_quality(worst, cloud, order, smoothing_lengths);
     std::vector<std::vector<int>> near;
     for (Index I = 0; I < N; ++I) near.push_back(neighbours(all.w, I));
     all.system = collocation::system_on(near, problem, cloud, [&](Index I) { return basis_at(all.w, I); });

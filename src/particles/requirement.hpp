@@ -13,6 +13,7 @@
 #include "base/index.hpp"
 #include "base/text.hpp"
 #include "particles/close_pair.hpp"
+#include "particles/layers.hpp"
 #include "particles/neighbourhood.hpp"
 #include "particles/spacing.hpp"
 
@@ -70,14 +71,14 @@ bool determined(const Points& points, const Smoothing<Scalar, dim>& smoothing, c
 }
 
 /// "--smoothing 1.6": the least smoothing length, in steps of a tenth of it, with which all particles have
-/// what the formulation requires; empty if none is found, or if the lengths of few particles only are far too
-/// small. It is said as h/δ, where it was given so; else as the length [length], or in multiples of those
+/// enough neighbours and are served; empty if none is found, or if the lengths of few particles only are far
+/// too small. It is said as h/δ, where it was given so; else as the length [length], or in multiples of those
 /// that the particles have.
-/// \param weights a function of a Neighbourhood
-template <class Points, class Scalar, int dim, class Weights>
-std::string other_smoothing(const Points& points, const Smoothing<Scalar, dim>& smoothing,
-                            const Requirement& required, const Weights& weights) {
-    const Index nearest = std::max<Index>(required.particles - 1, 0);
+/// \param required number of neighbours \param serves whether a Smoothing does
+template <class Points, class Scalar, int dim, class Serves>
+std::string other_smoothing(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index required,
+                            const Serves& serves) {
+    const Index nearest = std::max<Index>(required - 1, 0);
     // Factors of the present h with which one particle has enough neighbours, and with which all have.
     double first = std::numeric_limits<double>::infinity(), least = 0;
     for (Index i = 0; i < points.size(); ++i) {
@@ -95,8 +96,7 @@ std::string other_smoothing(const Points& points, const Smoothing<Scalar, dim>& 
         if (!(std::isfinite(wanted) && wanted > 0)) break;
         const double digit = std::pow(10, std::floor(std::log10(wanted)) - 1);
         const std::string rounded = shown(std::ceil(wanted / digit) * digit);
-        const double factor = std::stod(rounded) / unit;
-        if (!determined(points, smoothing.times(factor), required, weights)) continue;
+        if (!serves(smoothing.times(std::stod(rounded) / unit))) continue;
         if (smoothing.ratio()) return "--smoothing " + rounded;
         return smoothing.is_local() ? "smoothing lengths " + rounded + " times as large" : "h = " + rounded;
     }
@@ -115,26 +115,45 @@ std::string other_spacing(const Points& points, const Smoothing<Scalar, dim>& sm
     return "";
 }
 
+/// "try --smoothing 1.6": another smoothing that serves, the end of a sentence.
+/// \param required number of neighbours \param serves whether a Smoothing does
+template <class Points, class Scalar, int dim, class Serves>
+std::string another_smoothing(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index required,
+                              const Serves& serves) {
+    if (const std::string other = other_smoothing(points, smoothing, required, serves); !other.empty())
+        return "try " + other;
+    if (const std::string from = other_spacing(points, smoothing, serves); !from.empty())
+        return "try " + from;
+    return std::string(smoothing.ratio() ? "take " : "take another smoothing length or ") + "other particles";
+}
+
+/// What helps where there are too few particles, or too few layers of them; or nothing.
+template <class Scalar>
+std::string more_particles(const Line<Scalar>& line, const Requirement& required) {
+    if (line.size() >= required.particles) return "";
+    return "take at least " + std::to_string(required.particles) + " particles";
+}
+template <int dim>
+std::string more_particles(const Cloud<dim>& cloud, const Requirement& required) {
+    return more_particles(cloud, required.particles, degree_of<dim>(required.particles));
+}
+
 /// What helps where particle i has too few neighbours, or neighbours that do not determine the weights: the
 /// end of a sentence. \param weights a function of a Neighbourhood
 template <class Points, class Scalar, int dim, class Weights>
 std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index i,
                    const Requirement& required, const Weights& weights) {
-    if (points.size() < required.particles)
-        return "take at least " + std::to_string(required.particles) + " particles";
-    const std::string other = other_smoothing(points, smoothing, required, weights),
-                      fewer = fewer_particles(
-                          points, smoothing, i, [&](const Points&rest, const auto&smoothing_of_rest) {
-                              return determined(rest, smoothing_of_rest, required, weights);
-                          });
-    if (!fewer.empty()) return fewer + (other.empty() ? "" : ", or try " + other);
-    if (!other.empty()) return "try " + other;
-    const std::string from = other_spacing(points, smoothing, [&](const Smoothing<Scalar, dim>& tried) {
+    if (const std::string more = more_particles(points, required); !more.empty()) return more;
+    const auto serves = [&](const Smoothing<Scalar, dim>& tried) {
         return determined(points, tried, required, weights);
-    });
-    if (!from.empty()) return "try " + from;
-    return std::string("take another ") + (smoothing.ratio() ? "--smoothing" : "smoothing length") +
-           " or other particles";
+    };
+    const std::string fewer =
+        fewer_particles(points, smoothing, i, [&](const Points& rest, const auto& smoothing_of_rest) {
+            return determined(rest, smoothing_of_rest, required, weights);
+        });
+    if (fewer.empty()) return another_smoothing(points, smoothing, required.particles, serves);
+    const std::string other = other_smoothing(points, smoothing, required.particles, serves);
+    return fewer + (other.empty() ? "" : ", or try " + other);
 }
 
 /// \param near the neighbours of each particle \param some particles that need enough

@@ -99,7 +99,7 @@ TEST_CASE("basis_at: where no scaling factor helps on a graded cloud, the distan
 TEST_CASE("basis_at: a cloud with fewer particles than monomials is refused with the number it needs") {
     CHECK_THROWS_WITH_AS(
         support::bases(2, support::random_points<2>(5, 1), 1000, Point<2>(0.5, 0.25), 0.1),
-        "ssph_basis: at (0.5, 0.25) there are 5 particles within 1000h = 100 for the 6 monomials of degree 2; take at least 6 particles",
+        "ssph_basis: at (0.5, 0.25) there are 5 particles within 1000h = 100 for the 6 monomials of degree 2; take at least 6 particles in all",
         base::FailedComputation);
 }
 
