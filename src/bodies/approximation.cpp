@@ -11,6 +11,7 @@
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "fpm_in_space/ssph_with_value_given.hpp"
 #include "particles/local_system.hpp"
+#include "particles/on_values.hpp"
 #include "particles/requirement.hpp"
 
 namespace bodies {
@@ -55,14 +56,11 @@ Weights<dim> of_differences(const particles::Derivatives<double, dim>& derivativ
                             Index I, double h) {
     const auto count = static_cast<Index>(particle.size());
     const Index own = std::lower_bound(particle.begin(), particle.end(), I) - particle.begin();
-    Weights<dim> weights{std::move(particle), Column<double>::Zero(count), derivatives.first / h,
-                         derivatives.second / (h * h)};
-    weights.value[own] = 1;
-    weights.first.row(own).setZero();
-    weights.second.row(own).setZero();
-    weights.first.row(own) = -weights.first.colwise().sum();
-    weights.second.row(own) = -weights.second.colwise().sum();
-    return weights;
+    Column<double> value = Column<double>::Zero(count);
+    value[own] = 1;
+    return {std::move(particle), std::move(value),
+            particles::on_values<double, dim>(derivatives.first / h, own),
+            particles::on_values<double, second_derivatives<dim>>(derivatives.second / (h * h), own)};
 }
 
 /// The Taylor polynomial of degree 2 around a particle.

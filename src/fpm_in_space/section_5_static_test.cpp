@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "batra2008/basis_at.hpp"
 #include "fpm_in_space/ssph_with_value_given.hpp"
+#include "particles/on_values.hpp"
 #include "particles/quality.hpp"
 #include "particles/requirement.hpp"
 #include "solvers/sparse.hpp"
@@ -163,10 +164,9 @@ Row<dim> row_from_nearest(const Cloud<dim>& cloud, const Smoothing<double, dim>&
     at.own = std::lower_bound(at.particle.begin(), at.particle.end(), i) - at.particle.begin();
     const auto weights = ssph_with_value_given<2>(
         particles::neighbourhood<dim>(cloud, kernel, cloud.x().col(i), h, at.particle));
-    at.first = weights.first / h;
-    at.laplacian = weights.second.leftCols(dim).rowwise().sum() / (h * h);
-    at.first.row(at.own) -= at.first.colwise().sum().eval();
-    at.laplacian[at.own] -= at.laplacian.sum();
+    at.first = particles::on_values<double, dim>(weights.first / h, at.own);
+    at.laplacian =
+        particles::on_values<double, 1>(weights.second.leftCols(dim).rowwise().sum() / (h * h), at.own);
     return at;
 }
 

@@ -9,6 +9,7 @@
 #include "batra2008/section_3_1_collocation.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "fpm_in_space/ssph_with_value_given.hpp"
+#include "particles/on_values.hpp"
 #include "particles/quality.hpp"
 #include "particles/requirement.hpp"
 
@@ -104,8 +105,7 @@ Basis::Basis(std::vector<int> particle, Index I, const particles::Derivatives<do
     const Index own = std::lower_bound(particle_.begin(), particle_.end(), I) - particle_.begin();
     const auto& [first, second] = w;
     K_ << Column<double>::Zero(K_.rows()), first, second.col(0) / 2, second.col(1) / 2, second.col(2);
-    K_.row(own).setZero();
-    K_.row(own) = -K_.colwise().sum();
+    K_ = particles::on_values<double, 6>(std::move(K_), own);
     K_(own, 0) = 1;
 }
 
