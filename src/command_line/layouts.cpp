@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "batra2008/section_4_2_hole.hpp"
-#include "command_line/example_problems.hpp"
+#include "command_line/example_cases.hpp"
 #include "command_line/positions.hpp"
 #include "particles/boundary_particles.hpp"
 
