@@ -3,21 +3,9 @@
 #include <string>
 
 #include "report/file.hpp"
-#include "report/table.hpp"
-#include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/programs/numbers.hpp"
 
-using programs::check_refused;
-using programs::run;
-using support::relative;
-
-namespace {
-
-double number(const report::Table& table, std::size_t row, const std::string& column) {
-    return std::get<double>(table.rows[row][table.column(column)]);
-}
-
-}  // namespace
+using namespace programs;
 
 TEST_CASE("derivative_test_in_space: a row for each place, with the orders of the errors") {
     const auto table = report::parsed(run("derivative_test_in_space --formulation definite_fpm").output);

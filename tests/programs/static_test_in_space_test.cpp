@@ -3,24 +3,9 @@
 #include <string>
 
 #include "base/text.hpp"
-#include "report/file.hpp"
-#include "report/table.hpp"
-#include "tests/folder.hpp"
-#include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/programs/numbers.hpp"
 
-using programs::check_refused;
-using programs::run;
-using support::Folder;
-using support::relative;
-
-namespace {
-
-double number(const report::Table& table, std::size_t row, const std::string& column) {
-    return std::get<double>(table.rows[row][table.column(column)]);
-}
-
-}  // namespace
+using namespace programs;
 
 TEST_CASE("static_test_in_space: a row for each condition and place, with the orders of the errors") {
     const auto table = report::parsed(

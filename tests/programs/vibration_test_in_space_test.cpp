@@ -1,25 +1,11 @@
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <string>
 
-#include "report/table.hpp"
-#include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/programs/numbers.hpp"
 
-using programs::check_refused;
-using programs::run;
-using support::relative;
-
-namespace {
-
-double number(const report::Table& table, std::size_t row, const std::string& column) {
-    return std::get<double>(table.rows[row][table.column(column)]);
-}
-
-}  // namespace
+using namespace programs;
 
 TEST_CASE("vibration_test_in_space: a row for each mode, beside the exact frequency and the symbol's") {
     const auto [code, output, errors] = run("vibration_test_in_space --particles 12");
