@@ -133,7 +133,8 @@ Collocated collocated(Problem problem, const Cloud<2>& cloud, const Discretisati
     const auto smoothing_lengths = smoothing(cloud, how);
     const Index N = cloud.size();
     const Column<double> h = lengths(smoothing_lengths, N);
-    Collocated all{{}, operators(cloud, smoothing_lengths)};
+    auto w = operators(cloud, smoothing_lengths);  // before `all`: g++ 12 frees a half-made aggregate twice
+    Collocated all{{}, std::move(w)};
     const std::vector<int> order = collocation::highest_derivatives(problem, cloud);
     const particles::WorstRow worst = worst_row(all.w, cloud, order, h);
     require_quality(worst, cloud, order, smoothing_lengths);

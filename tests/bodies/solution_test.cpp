@@ -6,6 +6,7 @@
 #include "particles/quality.hpp"
 #include "tests/bodies.hpp"
 #include "tests/relative.hpp"
+#include "tests/remedies.hpp"
 #include "tests/ring.hpp"
 
 using namespace bodies;
@@ -250,4 +251,23 @@ TEST_CASE("solution: too few particles for fpm are refused with their place") {
     CHECK_THROWS_WITH_AS(static_cast<void>(solve(membrane(body), body, by(Method::fpm))),
                          doctest::Contains("fpm: at (0, 0) there are 4 particles within "),
                          base::FailedComputation);
+}
+
+TEST_CASE("solution: where derivatives by fpm are determined badly or not at all, what was tried is named") {
+    const auto flat = [](const Point<2>& x) { return Point<2>(x[0], x[1] / 5); };
+    const Body<2> grid = block<2>({{30, 5}, 0, 1, flat}),
+                  moved_a_little = block<2>({{30, 5}, 0.003, 1, flat});
+    const auto refused = [](const Body<2>& body, double ratio) {
+        Discretisation how = by(Method::fpm);
+        how.smoothing = ratio;
+        return support::refusal([&] { return solve(membrane(body), body, how); });
+    };
+    const std::string bad = refused(moved_a_little, 0.5), not_at_all = refused(grid, 0.5);
+    CAPTURE(bad);
+    CAPTURE(not_at_all);
+    CHECK(bad.find(" has the quality number ") != std::string::npos);
+    CHECK(bad.ends_with(", or the method hats"));
+    CHECK(refused(moved_a_little, support::smoothing_to_try(bad)).empty());
+    CHECK(not_at_all.find(" are not independent on them; try --smoothing ") != std::string::npos);
+    CHECK(refused(grid, support::smoothing_to_try(not_at_all)).empty());
 }

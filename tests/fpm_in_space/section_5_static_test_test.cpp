@@ -11,6 +11,7 @@
 #include "tests/bodies.hpp"
 #include "tests/polynomial.hpp"
 #include "tests/relative.hpp"
+#include "tests/remedies.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::static_test;
@@ -271,4 +272,30 @@ TEST_CASE("static test in space: what cannot be solved is refused, with what to 
                     base::InvalidInput);
     CHECK_THROWS_AS(static_test::rows(formulation, cloud, smoothing<2>(0.5 * delta), delta),
                     base::FailedComputation);
+}
+
+TEST_CASE("static test in space: a Laplacian that cannot be trusted is refused, with what was tried") {
+    // One particle sees three layers, at unequal distances and but for small moves.
+    support::Draws draw(1);
+    particles::Points<2> x(2, 21 * 11);
+    for (Index j = 0; j < x.cols(); ++j) {
+        const Index k = j % 21, l = j / 21;
+        x.col(j) =
+            Point<2>(static_cast<double>(k) / 20, derivative_test::stretched(static_cast<double>(l) / 10, 4));
+        if (k > 0 && k < 20 && l > 0 && l < 10) x.col(j) += 5e-5 * draw.point<2>();
+    }
+    const Cloud<2> cloud(x);
+    Column<double> delta = Column<double>::Constant(cloud.size(), 0.1);
+    delta[5 * 21 + 10] = 0.03;
+    const auto refused = [&](double ratio) {
+        return support::refusal([&] {
+            const Smoothing<double, 2> smoothing(particles::TruncatedGaussian<2>(3.5), delta, ratio);
+            return static_test::rows(formulation_named<double, 2>("definite_fpm"), cloud, smoothing, delta);
+        });
+    };
+    const std::string why = refused(1.2);
+    CAPTURE(why);
+    REQUIRE(why.starts_with("definite_fpm: the Laplacian of particle 115 "));
+    CHECK(why.find("; take another formulation, or try --smoothing ") != std::string::npos);
+    CHECK(refused(support::smoothing_to_try(why)).empty());
 }
