@@ -1,5 +1,7 @@
 #include "command_line/timed_solutions.hpp"
 
+#include <malloc.h>
+
 #include <chrono>
 #include <fstream>
 #include <string>
@@ -20,6 +22,7 @@ double peak() {
     return 0;
 }
 void reset_peak() {
+    malloc_trim(0);  // what a solution before this one has left
     std::ofstream("/proc/self/clear_refs") << "5";
 }
 
