@@ -12,28 +12,33 @@
 
 namespace command_line {
 
-/// "3 of 12" on a terminal, erased at the end, also after a failure. Steps may come from several threads.
+/// "3 of 12" on a terminal, from "0 of 12" on; erased at the end, also after a failure. Steps may come from several threads.
 class Progress {
   public:
     /// \param watched whether the stream is a terminal; to anything else nothing is written
     explicit Progress(std::size_t all, std::ostream& terminal = std::cerr,
                       bool watched = isatty(STDERR_FILENO) != 0)
-        : all_(all), terminal_(terminal), watched_(watched) {}
+        : all_(all), terminal_(terminal), watched_(watched) {
+        show();
+    }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress() {
         if (watched_) terminal_ << "\r\033[K" << std::flush;
     }
     void step() {
-        if (!watched_) return;
 #pragma omp critical(progress)
         {
             ++done_;
-            terminal_ << "\r" << done_ << " of " << all_ << std::flush;
+            show();
         }
     }
 
   private:
+    void show() {
+        if (watched_) terminal_ << "\r" << done_ << " of " << all_ << std::flush;
+    }
+
     std::size_t all_, done_ = 0;
     std::ostream& terminal_;
     bool watched_;

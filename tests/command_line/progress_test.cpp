@@ -17,7 +17,7 @@ TEST_CASE("progress: steps are shown on a terminal and wiped at the end, also wh
     } catch (const std::runtime_error&) {
         terminal << "the error";
     }
-    CHECK(terminal.str() == "\r1 of 3\r2 of 3\r\033[Kthe error");
+    CHECK(terminal.str() == "\r0 of 3\r1 of 3\r2 of 3\r\033[Kthe error");
 }
 
 TEST_CASE("progress: nothing is written where nobody looks") {
