@@ -159,11 +159,12 @@ TEST_CASE(
 
 TEST_CASE("plate_and_hole: where no smoothing length helps, none is named") {
     // Two of four layers nearly coincide, so that three layers are left.
-    Points<2> x = plate::grid(16, 4);
+    particles::Points<2> x = plate::grid(16, 4);
     for (Index j = 0; j < x.cols(); ++j)
         if (j % 4 == 2) x(1, j) = x(1, j - 1) + 1e-4;
-    const std::string why =
-        support::refusal([&] { return solve(plate::problem(support::plate_material()), Cloud<2>(x), {2}); });
+    const std::string why = support::refusal([&] {
+        return solve(plate::problem(support::plate_material()), Cloud<2>(x), {2, particles::Spacing::mean});
+    });
     CAPTURE(why);
     CHECK(why.ends_with("; take other particles"));
 }

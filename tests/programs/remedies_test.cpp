@@ -12,7 +12,7 @@ TEST_CASE("remedies: what a refusal names works when it is followed") {
     const char* const along_y = "take at least 4 layers of particles along x2: ";
     const std::vector<Refused> all{
         {"plate", "--method fpm ", "--particles 16x3", along_y, "--particles 16x4"},
-        {"plate", "--method strong --degree 3 ", "--particles 16x3", along_y, "--particles 16x4"},
+        {"plate", "--method strong --degree 3 --scaling 4 ", "--particles 16x3", along_y, "--particles 16x4"},
         {"static_test_in_space", "--formulation definite_fpm --dimension 3 ", "--particles 3",
          "take at least 4 layers of particles along x1, x2, x3: ", "--particles 4"},
         {"static_test_in_space", "--formulation definite_fpm ", "--particles 3",
