@@ -308,8 +308,6 @@ BodyFromFiles read_body(const std::string& points, const std::string& boundary, 
     if (snap && !(*snap > 0 && std::isfinite(*snap)))
         throw InvalidInput("--snap " + shown(*snap) + " is no distance; it must be positive and finite");
     const particles::Points<2> x = read_points<2>(of_points, points, {}, "a body in the plane");
-    if (x.cols() == 0)
-        throw InvalidInput(of_points + ": " + points + " has no rows; it needs x,y of each particle");
     Outline outline(boundary);
     const double size = outline.size();
     const std::vector<Polyline> sides = outline.joined(std::max(snap.value_or(0), negligible * size));

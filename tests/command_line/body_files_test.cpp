@@ -248,7 +248,7 @@ TEST_CASE("body_files: what is no boundary is refused with file and line") {
 
 TEST_CASE("body_files: particles that do not fit are refused with their file") {
     for (const auto& [points, reason] : std::vector<std::pair<std::string, std::string>>{
-             {"", "--points: nodes.csv has no rows; it needs x,y of each particle"},
+             {"", "--points: nodes.csv has no particle; at least two are needed, each on a line"},
              {"x,y,z\n0,0,0\n", ""},
              {square_grid(4) + "0.5,0.5\n", "particles 12 and 25 coincide at (0.5, 0.5)"},
              {square_grid(4) + "0.5,0.500000001\n",
