@@ -83,7 +83,7 @@ Weights<dim> moved(Weights<dim> at, const Point<dim>& s) {
 
 /// "try --smoothing 1.6, or ", where that determines the derivatives of FPM at all particles.
 template <int dim>
-std::string larger_smoothing(const Approximation<dim>& approximation) {
+std::string smoothing_that_determines(const Approximation<dim>& approximation) {
     constexpr auto required = second_order_fpm::required<dim>;
     const Cloud<dim>& cloud = approximation.cloud();
     if (!particles::more_particles(cloud, required).empty()) return "";
@@ -154,7 +154,7 @@ Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
         throw base::FailedComputation(
             "fpm: at " + particles::shown_point(x) + " there are " + std::to_string(near.size()) +
             " particles within " + particles::shown(cut<dim> * h_[I]) + ", and " + error.what() + "; " +
-            larger_smoothing(*this) + "take more particles, by a smaller --size, or other ones");
+            smoothing_that_determines(*this) + "take more particles, by a smaller --size, or other ones");
     }
 }
 

@@ -30,9 +30,9 @@ struct CloudTest {
         find;
 };
 
-/// The table that is asked for. One has a row for each formulation, case and place: the largest numbers there; with --median their medians and
-/// quartiles over the seeds. On the standard output grids have the observed orders. With --states, the other has a row for each particle:
-/// its place, its position and what is found there.
+/// A row for each formulation, case and place: the largest numbers there; with --median their medians and
+/// quartiles over the seeds. On the standard output grids have the observed orders. With --states, a row for
+/// each particle instead: its place, its position and what is found there.
 template <int dim>
 report::Table table_of(const CloudOptions& options, const CloudTest<dim>& test);
 

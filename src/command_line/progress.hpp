@@ -12,7 +12,8 @@
 
 namespace command_line {
 
-/// "3 of 12" on a terminal, from "0 of 12" on; erased at the end, also after a failure. Steps may come from several threads.
+/// "3 of 12" on a terminal, from "0 of 12" on; erased at the end, also after a failure. Steps may come from
+/// several threads.
 class Progress {
   public:
     /// \param watched whether the stream is a terminal; to anything else nothing is written

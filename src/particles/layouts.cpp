@@ -122,8 +122,8 @@ std::vector<std::vector<Neighbour>> neighbours(const std::vector<Point<2>>& x,
     return near;
 }
 
-/// Gives each place to the particle nearest to it, of equals the first. Such a particle is at most twice as far
-/// from the old owner as the place is.
+/// Gives each place to the particle nearest to it, of equals the first. Such a particle is at most twice as
+/// far from the old owner as the place is.
 void find_owners(std::vector<int>& owners, const std::vector<Point<2>>& places,
                  const std::vector<Point<2>>& x) {
     constexpr double twice = 2.001;

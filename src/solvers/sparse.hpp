@@ -43,8 +43,8 @@ inline Eigen::Index enough_neighbours(Eigen::Index unknowns, Eigen::Index least)
 }
 
 /// Solves \f$A x = b\f$ after scaling the rows: by iterated() if the same equations on the nearest particles
-/// are given, and by a sparse factorisation of A if they are not or the iteration fails. The matrices are scaled
-/// in place; Eigen would copy them to an argument by value, moved or not.
+/// are given, and by a sparse factorisation of A if they are not or the iteration fails. The matrices are
+/// scaled in place; Eigen would copy them to an argument by value, moved or not.
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
 /// \throws base::FailedComputation where A is singular to working precision or the residual stays large
 Eigen::VectorXd solve_sparse(SparseRows&& A, Eigen::VectorXd b, SparseRows&& nearest = {});
