@@ -88,6 +88,8 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 # Those about FPM in space, on tables of derivatives and of solutions.
 data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space poisson poisson_draws poisson_in_space poisson_in_space_draws poisson_in_space_stretched literal rows layouts membrane plate hole hole_fpm_coarse)
+# A thread that waits leaves its processor to the table beside.
+$(tables): export OMP_WAIT_POLICY := passive
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
 	rm -f $@.tmp.*

@@ -48,6 +48,7 @@ void ExampleTable::add(const ExampleCase& one, const Problem& problem, const Clo
     sweep_.attempt(named, [&] {
         check_lengths(one.is_fpm() ? one.fpm.smoothing_from : one.ssph.smoothing_from,
                       options_.smoothing_from.value_or(""), cloud.size());
+        if (options_.seconds) give_freed_memory_back();
         About about;
         const Solution solution = solved(one, problem, cloud, about);
         const Solved found{problem, cloud, solution};

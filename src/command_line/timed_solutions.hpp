@@ -40,6 +40,9 @@ struct About {
     particles::WorstRow worst;          ///< of the derivatives at the particles
 };
 
+/// Gives back what solutions before have left, so that the memory of the next one is its own.
+void give_freed_memory_back();
+
 /// The solution of a case, timed.
 /// \throws base::InvalidInput, base::FailedComputation if the method cannot solve the problem
 Solution solved(const ExampleCase& one, const batra2008::Problem& problem, const batra2008::Cloud<2>& cloud,

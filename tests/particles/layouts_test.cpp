@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "base/errors.hpp"
 
@@ -43,6 +44,31 @@ TEST_CASE(
     move_to_centres(fixed, near_both, 1);
     CHECK(fixed[0] == Point<2>(0, 0));
     CHECK((fixed[1] - Point<2>(1.1, 0.9)).norm() < 1e-15);
+}
+
+TEST_CASE(
+    "layouts: in every round each place belongs to the particle nearest to it, wherever particles began") {
+    const auto places = logarithmic::random_places(shape, 3000, 5);
+    // All begin close together, so that owners change far in the first rounds.
+    std::vector<Point<2>> x(places.begin(), places.begin() + 40);
+    for (Point<2>& start : x) start *= 0.05;
+    std::vector<Point<2>> slowly = x;
+    constexpr int rounds = 20;
+    move_to_centres(x, places, 3, rounds);
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<Point<2>> sum(slowly.size(), Point<2>::Zero());
+        std::vector<int> count(slowly.size(), 0);
+        for (const Point<2>& place : places) {
+            std::size_t nearest = 0;
+            for (std::size_t j = 1; j < slowly.size(); ++j)
+                if ((place - slowly[j]).squaredNorm() < (place - slowly[nearest]).squaredNorm()) nearest = j;
+            sum[nearest] += place;
+            ++count[nearest];
+        }
+        for (std::size_t j = 3; j < slowly.size(); ++j)
+            if (count[j] > 0) slowly[j] = sum[j] / count[j];
+    }
+    CHECK(x == slowly);
 }
 
 TEST_CASE("layouts: random places are those of GSL's mt19937 for the seed, and seed 0 is its default") {
