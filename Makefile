@@ -25,7 +25,9 @@ OPTIMISE := -O1 -g -ffp-contract=off -fno-omit-frame-pointer -Wno-maybe-uninitia
 override BUILD := $(BUILD)/sanitize-$(subst $(comma),-,$(SANITIZE))
 export TSAN_OPTIONS := ignore_noninstrumented_modules=1
 endif
-CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+# Objects go into programs and into shared libraries such as Python's module; nobody replaces their functions there.
+in_libraries := -fPIC -fno-semantic-interposition
+CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp $(in_libraries) -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 # Eigen aligns memory as widely for every processor, so that programs may have other flags than the library.
 CPPFLAGS := -DEIGEN_MAX_ALIGN_BYTES=64 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16 -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
 LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lquadmath
@@ -71,7 +73,7 @@ goals := $(filter-out setup,$(MAKECMDGOALS))
 setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@CXX='$(CXX)' SANITIZE='$(SANITIZE)' bash make/setup $(goals)
 
-include make/tables.mk make/doc.mk make/quality.mk make/install.mk make/body.mk
+include make/tables.mk make/doc.mk make/quality.mk make/install.mk make/body.mk make/python.mk
 
 build: $(programs) ## compile the programs into build/bin
 

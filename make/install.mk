@@ -20,7 +20,7 @@ define install_below
 	cp make/particle-methods-config.cmake "$$root/lib/cmake/particle-methods"
 	{ echo "set(PACKAGE_VERSION $(version))"; cat make/particle-methods-config-version.cmake; } \
 	    > "$$root/lib/cmake/particle-methods/particle-methods-config-version.cmake"
-	echo "installed below $$root"
+	echo "installed below $$root; Python's module is another target: make setup install-python"
 endef
 
 .PHONY: install examples

@@ -18,15 +18,12 @@ namespace bodies {
 
 namespace ssph_basis = batra2008::ssph_basis;
 namespace second_order_fpm = fpm_in_space::second_order_fpm;
+using fpm_in_space::cut;
 
 namespace {
 
 template <int dim>
 using Kernel = particles::TruncatedGaussian<dim>;
-
-/// The radius, in units of h, at which the Gaussian of FPM is lowered to zero.
-template <int dim>
-inline constexpr double cut = dim == 2 ? 3.5 : 3;
 
 template <class Work>
 auto with_degree(int degree, const Work& work) {

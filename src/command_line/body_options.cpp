@@ -25,23 +25,7 @@ using bodies::Discretisation;
 using bodies::Index;
 using bodies::Point;
 
-void add_options(CommandLine& app, BodyOptions& options) {
-    app.column_width(34);
-    app.add_option("--mesh", options.mesh,
-                   "a drawing or a mesh that Gmsh reads; its physical groups name the sides")
-        .type_name("FILE");
-    app.add_option("--size", options.size, "size of the cells of a drawing (default: that of the drawing)")
-        .type_name("D");
-    app.add_option("--points", options.points, "instead, in the plane: a file of particles, x,y")
-        .type_name("FILE");
-    app.add_option("--boundary", options.boundary,
-                   "with --points: a file of sides, name,order,x,y and, if known, the normals nx,ny")
-        .type_name("FILE");
-    app.add_option(
-           "--snap", options.snap,
-           "with --points: particles within this distance are moved onto the boundary (default: none)")
-        .type_name("D");
-    add_options(app, options.problem);
+void add_method_options(CommandLine& app, BodyOptions& options) {
     app.add_list(
         "--method", options.methods,
         "methods: all that apply, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
@@ -65,6 +49,26 @@ void add_options(CommandLine& app, BodyOptions& options) {
            "--penalty", options.penalty,
            "penalty of the weak forms, in units of 1e5 E0 over the body's size, or of 1e5 k over it (default 1)")
         .type_name("FACTOR");
+}
+
+void add_options(CommandLine& app, BodyOptions& options) {
+    app.column_width(34);
+    app.add_option("--mesh", options.mesh,
+                   "a drawing or a mesh that Gmsh reads; its physical groups name the sides")
+        .type_name("FILE");
+    app.add_option("--size", options.size, "size of the cells of a drawing (default: that of the drawing)")
+        .type_name("D");
+    app.add_option("--points", options.points, "instead, in the plane: a file of particles, x,y")
+        .type_name("FILE");
+    app.add_option("--boundary", options.boundary,
+                   "with --points: a file of sides, name,order,x,y and, if known, the normals nx,ny")
+        .type_name("FILE");
+    app.add_option(
+           "--snap", options.snap,
+           "with --points: particles within this distance are moved onto the boundary (default: none)")
+        .type_name("D");
+    add_options(app, options.problem);
+    add_method_options(app, options);
     app.add_repeated("--at", options.places, "a place where all quantities are wanted").type_name("X,Y[,Z]");
     app.add_repeated("--along", options.places, "N places on a line, its ends among them")
         .type_name("X0,Y0:X1,Y1:N");
@@ -164,13 +168,17 @@ void check_effect(const BodyOptions& options) {
 
 }  // namespace
 
-void check(const BodyOptions& options) {
-    check_body(options);
-    check_modes(options);
+void check_methods(const BodyOptions& options) {
     check_effect(options);
     require_positive("--scaling", options.scaling);
     require_positive("--smoothing", options.smoothing);
     require_positive("--penalty", options.penalty);
+}
+
+void check(const BodyOptions& options) {
+    check_body(options);
+    check_modes(options);
+    check_methods(options);
     if (!options.field.empty()) bodies::check_field_path(options.field);
     if (!options.figure.path.empty() && method_names(options).size() > 1)
         throw InvalidInput("--plot draws one method; name one by --method");

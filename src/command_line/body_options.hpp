@@ -32,6 +32,13 @@ struct BodyOptions {
 /// Adds the options to a command line.
 void add_options(CommandLine& app, BodyOptions& options);
 
+/// Some of them: those of the methods.
+void add_method_options(CommandLine& app, BodyOptions& options);
+
+/// \throws base::InvalidInput for numbers without meaning, and for an option that belongs to none of the
+///         methods
+void check_methods(const BodyOptions& options);
+
 /// \throws base::InvalidInput for options that need, exclude or overwrite one another, and numbers without
 ///         meaning
 void check(const BodyOptions& options);

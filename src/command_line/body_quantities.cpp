@@ -113,11 +113,11 @@ constexpr auto stresses() {
         return std::array<std::array<int, 2>, 6>{{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
 }
 
-std::string numbered(const std::string& name, Index k) {
-    return name + std::to_string(k + 1);
-}
-
 }  // namespace
+
+std::string numbered(const std::string& name, Index axis) {
+    return name + std::to_string(axis + 1);
+}
 
 template <int dim, int n>
 std::vector<std::pair<std::string, double>> named(const State<dim, n>& state, const Material& material) {
@@ -178,47 +178,6 @@ std::vector<Quantity<dim>> quantities(const SolvedBody<dim, n>& solved,
     if (std::isfinite(quality))
         all.push_back({"quality", Point<dim>(solved.body.x.col(worst)), quality, false});
     return all;
-}
-
-template <int dim, int n>
-std::vector<Quantity<dim>> quantities(const bodies::Balance<n>& balance) {
-    std::vector<Quantity<dim>> all;
-    for (const auto& [what, sides, has_limit] :
-         {std::tuple{"load", &balance.loads, false}, {"reaction", &balance.reactions, true}})
-        for (const auto& [side, force] : *sides)
-            for (Index i = 0; i < n; ++i)
-                all.push_back({numbered(what, i) + ":" + side, {}, force[i], has_limit});
-    for (Index i = 0; i < n; ++i) all.push_back({numbered("volume", i), {}, balance.volume[i], false});
-    all.push_back({"defect", {}, balance.defect, false});
-    return all;
-}
-
-namespace {
-
-/// "wall (0, 1000), tip (0, -1000)"
-template <int n>
-std::string listed(const std::vector<std::pair<std::string, bodies::Values<n>>>& forces) {
-    std::string text;
-    for (const auto& [side, force] : forces)
-        text += (text.empty() ? "" : ", ") + side + " " + particles::shown_point(force);
-    return text.empty() ? "none" : text;
-}
-
-}  // namespace
-
-template <int n>
-std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method,
-                                  const std::string& remedy) {
-    constexpr double small = 0.02, large = 0.1;
-    if (balance.defect <= small) return {};
-    if (!std::isfinite(balance.defect))
-        throw FailedComputation(method + ": the forces exceed double precision; take other units");
-    const std::string text = method + ": loads and reactions leave a defect of " +
-                             shown(100 * balance.defect, 3) + " % of their sizes; loads " +
-                             listed<n>(balance.loads) + ", reactions " + listed<n>(balance.reactions) +
-                             ", volume " + particles::shown_point(balance.volume) + "; take " + remedy;
-    if (balance.defect > large) throw FailedComputation(text);
-    return text;
 }
 
 template <int dim, int n>
@@ -304,15 +263,11 @@ template double size_of(const Body<2>&);
 template double size_of(const Body<3>&);
 template void require_inside(const Body<2>&, const std::vector<Point<2>>&);
 template void require_inside(const Body<3>&, const std::vector<Point<3>>&);
-template std::optional<std::string> remark(const bodies::Balance<1>&, const std::string&, const std::string&);
-template std::optional<std::string> remark(const bodies::Balance<2>&, const std::string&, const std::string&);
-template std::optional<std::string> remark(const bodies::Balance<3>&, const std::string&, const std::string&);
 
 template std::vector<State<2, 1>> states(const bodies::Problem<2, 1>&, const bodies::Solution<2, 1>&,
                                          const Points<2>&);
 template std::vector<std::pair<std::string, double>> named(const State<2, 1>&, const Material&);
 template std::vector<Quantity<2>> quantities(const SolvedBody<2, 1>&, const std::vector<Point<2>>&);
-template std::vector<Quantity<2>> quantities<2, 1>(const bodies::Balance<1>&);
 template std::vector<bodies::NamedField> fields(const SolvedBody<2, 1>&, const std::string&);
 template report::Table drawing(const SolvedBody<2, 1>&);
 
@@ -320,7 +275,6 @@ template std::vector<State<3, 1>> states(const bodies::Problem<3, 1>&, const bod
                                          const Points<3>&);
 template std::vector<std::pair<std::string, double>> named(const State<3, 1>&, const Material&);
 template std::vector<Quantity<3>> quantities(const SolvedBody<3, 1>&, const std::vector<Point<3>>&);
-template std::vector<Quantity<3>> quantities<3, 1>(const bodies::Balance<1>&);
 template std::vector<bodies::NamedField> fields(const SolvedBody<3, 1>&, const std::string&);
 template report::Table drawing(const SolvedBody<3, 1>&);
 
@@ -328,7 +282,6 @@ template std::vector<State<2, 2>> states(const bodies::Problem<2, 2>&, const bod
                                          const Points<2>&);
 template std::vector<std::pair<std::string, double>> named(const State<2, 2>&, const Material&);
 template std::vector<Quantity<2>> quantities(const SolvedBody<2, 2>&, const std::vector<Point<2>>&);
-template std::vector<Quantity<2>> quantities<2, 2>(const bodies::Balance<2>&);
 template std::vector<bodies::NamedField> fields(const SolvedBody<2, 2>&, const std::string&);
 template report::Table drawing(const SolvedBody<2, 2>&);
 
@@ -336,7 +289,6 @@ template std::vector<State<3, 3>> states(const bodies::Problem<3, 3>&, const bod
                                          const Points<3>&);
 template std::vector<std::pair<std::string, double>> named(const State<3, 3>&, const Material&);
 template std::vector<Quantity<3>> quantities(const SolvedBody<3, 3>&, const std::vector<Point<3>>&);
-template std::vector<Quantity<3>> quantities<3, 3>(const bodies::Balance<3>&);
 template std::vector<bodies::NamedField> fields(const SolvedBody<3, 3>&, const std::string&);
 template report::Table drawing(const SolvedBody<3, 3>&);
 

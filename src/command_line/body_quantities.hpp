@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bodies/field_file.hpp"
-#include "bodies/judgement.hpp"
+#include "bodies/solution.hpp"
 #include "report/table.hpp"
 
 namespace command_line {
@@ -29,6 +29,9 @@ struct Quantity {
     double value = 0;
     bool has_limit = true;  ///< for ever finer particles
 };
+
+/// "u1", "s12": a name with the number of an axis, counted from 1.
+std::string numbered(const std::string& name, bodies::Index axis);
 
 /// The largest extent of a body along an axis. [length]
 template <int dim>
@@ -56,16 +59,6 @@ std::vector<std::pair<std::string, double>> named(const bodies::State<dim, n>& s
 template <int dim, int n>
 std::vector<Quantity<dim>> quantities(const SolvedBody<dim, n>& solved,
                                       const std::vector<bodies::Point<dim>>& places);
-
-/// The numbers of a balance: load1:NAME, reaction1:NAME, volume1, and the defect.
-template <int dim, int n>
-std::vector<Quantity<dim>> quantities(const bodies::Balance<n>& balance);
-
-/// What is wrong with a balance, in words: nothing up to a defect of 2 %.
-/// \throws base::FailedComputation for a defect of more than 10 %, with loads and reactions and a remedy
-template <int n>
-std::optional<std::string> remark(const bodies::Balance<n>& balance, const std::string& method,
-                                  const std::string& remedy);
 
 /// The fields at the particles, for `--field`. \param suffix of their names
 template <int dim, int n>

@@ -11,6 +11,7 @@
 #include "command_line/options.hpp"
 #include "command_line/positions.hpp"
 #include "expressions/parser.hpp"
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
 
 namespace command_line {
 
@@ -48,7 +49,7 @@ bool is_file(const std::string& layout) {
 
 /// The radius at which the Gaussian is lowered to zero, unless another kernel was asked for.
 double cut_of(const CloudOptions& options) {
-    if (!options.cut) return options.dimension == 2 ? 3.5 : 3;
+    if (!options.cut) return options.dimension == 2 ? fpm_in_space::cut<2> : fpm_in_space::cut<3>;
     const double cut = number("--cut", *options.cut);
     if (!(cut > 0)) throw InvalidInput("--cut must be positive, got " + shown(cut));
     return cut;

@@ -179,7 +179,7 @@ std::string in_words(const CLI::ParseError& error, const CLI::App& app) {
     const std::string name = what.substr(0, what.find_first_of(": "));
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
         const std::string first = app.remaining().front();
-        return first.starts_with('-') ? "there is no option '" + first + "'"
+        return first.starts_with('-') ? "there is no option '" + first.substr(0, first.find('=')) + "'"
                                       : "'" + first + "' was not expected";
     }
     if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)

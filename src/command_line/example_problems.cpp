@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "command_line/positions.hpp"
+#include "fpm_in_space/section_1_second_order_fpm.hpp"
 
 namespace command_line {
 
@@ -22,8 +23,7 @@ ExampleTable::ExampleTable(const ExampleOptions& options, const std::vector<Exam
     if (std::any_of(cases.begin(), cases.end(), [](const ExampleCase& one) { return one.is_fpm(); }))
         table_.comments.push_back("fpm: (3.12) to (3.14) with (F24), h/" + options.smoothing_of_fpm_from() +
                                   " spacing " + base::shown(options.smoothing) + ", support of " +
-                                  base::shown(fpm_in_space::plate_and_hole::cut) +
-                                  " h; between particles (F25)");
+                                  base::shown(fpm_in_space::cut<2>) + " h; between particles (F25)");
     if (options.smoothing_from.value_or("nearest") != "nearest")
         table_.comments.push_back("smoothing lengths from " + *options.smoothing_from);
     table_.columns = case_columns();

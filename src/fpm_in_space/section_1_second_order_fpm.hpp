@@ -24,6 +24,10 @@ using particles::Neighbourhood;
 using particles::second_derivatives;
 using particles::terms;
 
+/// The radius, in units of h, at which tables and bodies lower the Gaussian to zero.
+template <int dim>
+inline constexpr double cut = dim == 2 ? 3.5 : 3;
+
 template <class Scalar>
 using Table = batra2008::ssph_basis::Table<Scalar>;
 template <class Scalar>

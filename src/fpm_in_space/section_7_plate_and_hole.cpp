@@ -75,7 +75,7 @@ std::vector<int> neighbours(const Operators<double, 2>& w, Index I) {
 
 /// The same equations on the nearest particles.
 batra2008::Matrix on_nearest(const Problem& problem, const Cloud<2>& cloud, const Column<double>& h) {
-    const batra2008::Kernel kernel(cut);
+    const batra2008::Kernel kernel(cut<2>);
     const Index enough = solvers::enough_neighbours(2 * cloud.size(), ssph_basis::terms<2, 2>);
     std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
     base::for_each_index(cloud.size(), [&](Index I) {
@@ -96,7 +96,7 @@ batra2008::Matrix on_nearest(const Problem& problem, const Cloud<2>& cloud, cons
 }  // namespace
 
 particles::Smoothing<double, 2> smoothing(const Cloud<2>& cloud, const Discretisation& how) {
-    return {particles::TruncatedGaussian<2>(cut), particles::spacing(cloud, how.smoothing_from),
+    return {particles::TruncatedGaussian<2>(cut<2>), particles::spacing(cloud, how.smoothing_from),
             how.smoothing};
 }
 

@@ -51,9 +51,6 @@ struct Discretisation {
     particles::Spacing smoothing_from = particles::Spacing::nearest;  ///< δ, as one of the spacings
 };
 
-/// The radius, in units of h, at which the Gaussian is lowered to zero.
-inline constexpr double cut = 3.5;
-
 particles::Smoothing<double, 2> smoothing(const Cloud<2>& cloud, const Discretisation& how);
 
 /// The weights at a particle, by the names of the second paper. \defeq{F24}

@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "batra2008/section_4_example_problems.hpp"
 #include "command_line/body_files.hpp"
+#include "command_line/body_judgement.hpp"
 #include "command_line/body_options.hpp"
-#include "command_line/body_quantities.hpp"
 #include "command_line/options.hpp"
 #include "command_line/progress.hpp"
 #include "command_line/sweep.hpp"
@@ -31,12 +30,6 @@ using report::Cell;
 
 /// A cloud of `--refine` and the next one have particles at distances of this ratio.
 constexpr double ratio = std::numbers::sqrt2;
-
-/// The quality number that no grid has, not even one with three particles on a side.
-constexpr double bad = 150;
-
-/// Share of the given loads that the boundary's stresses may miss before a remark says so.
-constexpr double most_missed = 0.1;
 
 /// The body that the options name. \param cloud how many clouds of `--refine` are coarser
 meshes::Model model(const BodyOptions& options, long cloud) {
@@ -208,37 +201,12 @@ class BodyTable {
         command_line::SolvedBody<dim, n> all{problem, body, solution, material_};
         all.at_particles = command_line::states(problem, solution, body.x);
         Found<dim> found{command_line::quantities(all, places_), {}};
-        const double noise = bodies::noise(solution);
-        if (std::isfinite(noise)) found.quantities.push_back({"noise", {}, noise, false});
-        const double missed = bodies::missed_loads(problem, body, solution);
-        if (std::isfinite(missed)) found.quantities.push_back({"missed_loads", {}, missed, false});
-        const auto balance = bodies::balance(problem, body, solution);
-        for (const auto& quantity : command_line::quantities<dim, n>(balance))
-            if (std::isfinite(quantity.value)) found.quantities.push_back(quantity);
+        const auto judged = command_line::judgement(all);
+        for (const auto& quantity : command_line::quantities<dim>(judged))
+            found.quantities.push_back(quantity);
         if (options_.seconds) found.quantities.push_back({"seconds", {}, seconds.count(), false});
         if (!finest) return found;
-        if (const auto remark = command_line::remark(balance, method, remedy(body, how)))
-            found.remarks.push_back(*remark);
-        if (const int degree = solution.approximation.how().degree; degree != how.degree)
-            found.remarks.push_back(method + ": monomials of degree " + std::to_string(degree) +
-                                    ", since the particles determine those of degree " +
-                                    std::to_string(how.degree) + " badly somewhere");
-        if (solution.quality > bad)
-            found.remarks.push_back(method + ": the neighbours of the particle at " +
-                                    particles::shown_point(Point<dim>(body.x.col(solution.worst))) +
-                                    " determine its derivatives badly (quality " +
-                                    shown(solution.quality, 3) + ", where " + shown(bad) +
-                                    " is the most); stresses near it may be wrong");
-        if (missed > most_missed)
-            found.remarks.push_back(method + ": the " + (n == 1 ? "fluxes" : "stresses") +
-                                    " at the boundary miss the given loads by " + shown(100 * missed, 3) +
-                                    " % of their size, where " + shown(100 * most_missed) +
-                                    " is the most; do not trust those near it");
-        if (noise > batra2008::example_problems::most_noise)
-            found.remarks.push_back(method + ": the unknowns alternate between neighbours, and " +
-                                    (n == 1 ? "fluxes" : "stresses") + " may be wrong (noise " +
-                                    shown(noise, 3) + ", where " +
-                                    shown(batra2008::example_problems::most_noise) + " is the most)");
+        found.remarks = command_line::remarks(all, judged, how.degree, remedy(body, how));
         if (!options_.field.empty()) {
             const std::string suffix = results_.size() > 1 ? "_" + method : "";
             for (auto& field : command_line::fields(all, suffix)) fields_.push_back(std::move(field));

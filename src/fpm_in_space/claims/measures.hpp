@@ -41,10 +41,10 @@ Smoothing<double, dim> gaussian(double spacing) {
     return {particles::Gaussian<dim>{}, spacing};
 }
 
-/// The Gaussian with h = 1.2 δ, lowered to zero at 3.5 h in the plane and at 3 h in space.
+/// The Gaussian with h = 1.2 δ, lowered to zero.
 template <int dim>
 Smoothing<double, dim> cut_gaussian(double spacing) {
-    return {particles::TruncatedGaussian<dim>(dim == 2 ? 3.5 : 3), 1.2 * spacing};
+    return {particles::TruncatedGaussian<dim>(cut<dim>), 1.2 * spacing};
 }
 
 /// Largest errors of DB and D²B.

@@ -1,0 +1,130 @@
+#include "command_line/body_judgement.hpp"
+
+#include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "batra2008/section_4_example_problems.hpp"
+
+namespace command_line {
+
+using base::FailedComputation;
+using base::shown;
+using batra2008::example_problems::most_noise;
+using bodies::Index;
+using bodies::Point;
+
+namespace {
+
+/// The quality number that no grid has, not even one with three particles on a side.
+constexpr double most_quality = 150;
+
+/// Share of the given loads that the boundary's stresses may miss before a remark says so.
+constexpr double most_missed = 0.1;
+
+/// "wall (0, 1000), tip (0, -1000)"
+template <int n>
+std::string listed(const std::vector<std::pair<std::string, bodies::Values<n>>>& forces) {
+    std::string text;
+    for (const auto& [side, force] : forces)
+        text += (text.empty() ? "" : ", ") + side + " " + particles::shown_point(force);
+    return text.empty() ? "none" : text;
+}
+
+/// What is wrong with a balance; nothing up to a defect of 2 %.
+/// \throws FailedComputation for a defect of more than 10 %
+template <int n>
+std::optional<std::string> remark(const std::string& method, const bodies::Balance<n>& balance,
+                                  const std::string& remedy) {
+    constexpr double small = 0.02, large = 0.1;
+    if (balance.defect <= small) return {};
+    if (!std::isfinite(balance.defect))
+        throw FailedComputation(method + "the forces exceed double precision; take other units");
+    const std::string text = method + "loads and reactions leave a defect of " +
+                             shown(100 * balance.defect, 3) + " % of their sizes; loads " +
+                             listed<n>(balance.loads) + ", reactions " + listed<n>(balance.reactions) +
+                             ", volume " + particles::shown_point(balance.volume) + "; take " + remedy;
+    if (balance.defect > large) throw FailedComputation(text);
+    return text;
+}
+
+}  // namespace
+
+template <int dim, int n>
+Judgement<n> judgement(const SolvedBody<dim, n>& solved) {
+    const auto& [problem, body, solution, material, at_particles] = solved;
+    return {bodies::noise(solution), bodies::missed_loads(problem, body, solution),
+            bodies::balance(problem, body, solution)};
+}
+
+template <int dim, int n>
+std::vector<Quantity<dim>> quantities(const Judgement<n>& judged) {
+    const auto& [noise, missed, balance] = judged;
+    std::vector<Quantity<dim>> all;
+    const auto add = [&](const std::string& name, double value, bool has_limit = false) {
+        if (std::isfinite(value)) all.push_back({name, {}, value, has_limit});
+    };
+    add("noise", noise);
+    add("missed_loads", missed);
+    for (const auto& [what, sides, has_limit] :
+         {std::tuple{"load", &balance.loads, false}, {"reaction", &balance.reactions, true}})
+        for (const auto& [side, force] : *sides)
+            for (Index i = 0; i < n; ++i) add(numbered(what, i) + ":" + side, force[i], has_limit);
+    for (Index i = 0; i < n; ++i) add(numbered("volume", i), balance.volume[i]);
+    add("defect", balance.defect);
+    return all;
+}
+
+template <int dim, int n>
+std::vector<std::string> remarks(const SolvedBody<dim, n>& solved, const Judgement<n>& judged, int degree,
+                                 const std::string& remedy) {
+    const auto& [problem, body, solution, material, at_particles] = solved;
+    const bodies::Discretisation& how = solution.approximation.how();
+    const std::string method = bodies::name(how.method) + ": ", fluxes = n == 1 ? "fluxes" : "stresses";
+    std::vector<std::string> all;
+    const auto add = [&](bool wrong, const std::string& text) {
+        if (wrong) all.push_back(method + text);
+    };
+    if (const auto out_of_balance = remark(method, judged.balance, remedy)) all.push_back(*out_of_balance);
+    add(how.degree != degree, "monomials of degree " + std::to_string(how.degree) +
+                                  ", since the particles determine those of degree " +
+                                  std::to_string(degree) + " badly somewhere");
+    add(solution.quality > most_quality, "the neighbours of the particle at " +
+                                             particles::shown_point(Point<dim>(body.x.col(solution.worst))) +
+                                             " determine its derivatives badly (quality " +
+                                             shown(solution.quality, 3) + ", where " + shown(most_quality) +
+                                             " is the most); stresses near it may be wrong");
+    add(judged.missed_loads > most_missed, "the " + fluxes + " at the boundary miss the given loads by " +
+                                               shown(100 * judged.missed_loads, 3) +
+                                               " % of their size, where " + shown(100 * most_missed) +
+                                               " is the most; do not trust those near it");
+    add(judged.noise > most_noise, "the unknowns alternate between neighbours, and " + fluxes +
+                                       " may be wrong (noise " + shown(judged.noise, 3) + ", where " +
+                                       shown(most_noise) + " is the most)");
+    return all;
+}
+
+template Judgement<1> judgement(const SolvedBody<2, 1>&);
+template std::vector<Quantity<2>> quantities(const Judgement<1>&);
+template std::vector<std::string> remarks(const SolvedBody<2, 1>&, const Judgement<1>&, int,
+                                          const std::string&);
+
+template Judgement<1> judgement(const SolvedBody<3, 1>&);
+template std::vector<Quantity<3>> quantities(const Judgement<1>&);
+template std::vector<std::string> remarks(const SolvedBody<3, 1>&, const Judgement<1>&, int,
+                                          const std::string&);
+
+template Judgement<2> judgement(const SolvedBody<2, 2>&);
+template std::vector<Quantity<2>> quantities(const Judgement<2>&);
+template std::vector<std::string> remarks(const SolvedBody<2, 2>&, const Judgement<2>&, int,
+                                          const std::string&);
+
+template Judgement<3> judgement(const SolvedBody<3, 3>&);
+template std::vector<Quantity<3>> quantities(const Judgement<3>&);
+template std::vector<std::string> remarks(const SolvedBody<3, 3>&, const Judgement<3>&, int,
+                                          const std::string&);
+
+}  // namespace command_line

@@ -1,0 +1,25 @@
+#include <gsl/gsl_errno.h>
+#include <pybind11/pybind11.h>
+
+#include <exception>
+
+#include "base/errors.hpp"
+#include "python/functions.hpp"
+#include "python/messages.hpp"
+
+PYBIND11_MODULE(core, module) {
+    gsl_set_error_handler_off();  // which would end the process
+    pybind11::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const base::InvalidInput& invalid) {
+            PyErr_SetString(PyExc_ValueError, python::in_python(invalid.what()).c_str());
+        } catch (const base::FailedComputation& failed) {
+            PyErr_SetString(PyExc_RuntimeError, python::in_python(failed.what()).c_str());
+        }
+    });
+    module.def("in_python", &python::in_python);
+    python::define_operators(module);
+    python::define_weights(module);
+    python::define_solve(module);
+}
