@@ -135,17 +135,21 @@ class OnALine(TestCase):
 
     def test_names_that_nothing_has_are_refused_with_those_there_are(self):
         x = line(12)
-        for keywords, text in {
-            "formulation": ({"formulation": "spline"}, "there is no formulation 'spline'; choose one of original, "
-                            "chen_beraun, rkpm_first_order, rkpm_second_order, fpm, modified_fpm, second_order_fpm, "
-                            "ssph, definite_fpm"),
-            "kernel": ({"kernel": "box"}, "there is no kernel 'box'; choose one of " + ", ".join(KERNELS)),
-            "volumes": ({"volumes": "none"}, "there is no volume convention 'none'; choose one of equal, partition"),
-            "spacing": ({"smoothing_from": "farthest"}, "there is no spacing 'farthest'; choose one of mean, largest, "
-                        "local, nearest, or K-nearest with a number K, such as 6-nearest"),
-        }.values():
+        with self.refuses("there is no formulation 'spline'; choose one of " + ", ".join(FORMULATIONS)):
+            operators("spline", x)
+        for keywords, text in (
+            ({"kernel": "box"}, "there is no kernel 'box'; choose one of " + ", ".join(KERNELS)),
+            ({"volumes": "none"}, "there is no volume convention 'none'; choose one of equal, partition"),
+            ({"smoothing_from": "farthest"}, "there is no spacing 'farthest'; choose one of mean, largest, "
+             "local, nearest, or K-nearest with a number K, such as 6-nearest"),
+        ):
             with self.subTest(**keywords), self.refuses(text):
-                operators(**{"formulation": "fpm", "x": x, **keywords})
+                operators("fpm", x, **keywords)
+
+    def test_arguments_have_the_names_of_the_text(self):
+        x, points = line(12), cloud(6, 2)
+        assert_array_equal(operators(formulation="fpm", x=x)[0].toarray(), operators("fpm", x)[0].toarray())
+        assert_array_equal(operators(points=points)[1, 0].toarray(), operators(points)[1, 0].toarray())
 
     def test_a_smoothing_length_is_positive_and_finite(self):
         x = line(12)
@@ -155,8 +159,8 @@ class OnALine(TestCase):
                     f"got {bad}"):
                 operators("fpm", x, smoothing=bad)
             with self.subTest(smoothing_from=bad), self.refuses(
-                    f"the smoothing length must be positive and finite, got {bad}"):
-                operators("fpm", x, smoothing_from=float(bad))
+                    f"smoothing_from must be positive and finite, got {bad}"):
+                operators("fpm", x, smoothing_from=bad)
 
     def test_lengths_of_other_particles_are_refused_with_both_numbers(self):
         with self.refuses("12 particles need as many spacings, or one, got 11"):
@@ -290,6 +294,10 @@ class InThePlaneAndInSpace(TestCase):
             ({"scheme": "rkpm"}, "there is no scheme 'rkpm'; choose one of fpm, ssph"),
             ({"degree": 2}, "degree belongs to the scheme ssph; fpm takes the monomials up to degree 3"),
             ({"scheme": "ssph", "degree": 4}, "degree must be 2 or 3, got 4"),
+            ({"scheme": "ssph", "degree": 2.5}, "degree must be an integer, got 2.5"),
+            ({"scheme": 2}, "scheme must be a text, got 2"),
+            ({"kernel": 2}, "kernel must be a text, got 2"),
+            ({"smoothing": "1.2"}, "smoothing must be a number, got '1.2'"),
             ({"smoothing": -1},
              "smoothing, the smoothing length over the spacing, must be positive and finite, got -1"),
             ({"smoothing_from": numpy.full(35, 0.2)}, "36 particles need as many spacings, or one, got 35"),
@@ -309,7 +317,7 @@ class InThePlaneAndInSpace(TestCase):
         with self.assertRaises(RuntimeError) as failure:
             operators(grid, smoothing=0.4)
         found = numpy.array(str(failure.exception).split("; try smoothing=")[1], dtype=float)
-        self.assertRegex(str(failure.exception), r"^definite_fpm: particle 0 \(x = \(0, 0\)\) has \d+ neighbours "
+        self.assertRegex(str(failure.exception), r"^fpm: particle 0 \(x = \(0, 0\)\) has \d+ neighbours "
                          r"within 3\.5h, needs 10; try smoothing=[0-9.]+$")
         self.assertEqual(len(operators(grid, smoothing=found)), 5)
 

@@ -22,6 +22,10 @@ SCHEMES = {  # in the plane and in space: the program's name, the keywords, the 
     "ssph": ({"scheme": "ssph"}, (2, 2)),
     "cubic_ssph": ({"scheme": "ssph", "degree": 3}, (3, 3)),
 }
+ELASTIC = {"young": 2.5, "poisson": 0.3}
+SMOOTH = {  # on clamped(): exp(x) sin(y), which each method finds within its limits
+    "equation": "poisson", "value": {"wall": "sin(y)", "rest": "exp(x)*sin(y)"}, "flux": {"tip": "e*sin(y)"},
+}
 
 
 class TestCase(unittest.TestCase):
@@ -77,6 +81,12 @@ def faces(points, cells, **planes):
     facets = particle_methods.boundary(points, cells)
     return {name: facets[(points[facets][:, :, axis] == place).all(axis=1)]
             for name, (axis, place) in planes.items()}
+
+
+def clamped(n=9):
+    """A square, its left side a wall and its right side a tip."""
+    points, cells = square(n)
+    return points, cells, faces(points, cells, wall=(0, 0), tip=(0, 1))
 
 
 def table_and_comments(program, **options):
