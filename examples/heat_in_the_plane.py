@@ -98,8 +98,7 @@ def march(d):
     """Points, temperatures at t = 1, and the largest factor by which a step multiplies a mode."""
     points, normal = star(d)
     N, on_rim = len(points), len(normal)
-    number = np.arange(N)
-    inside = number >= on_rim
+    inside = np.arange(N) >= on_rim
     given = ~inside & (points[:, 0] < 0)
     flowing = ~inside & ~given
 
@@ -108,17 +107,19 @@ def march(d):
     nx, ny = np.pad(normal, [(0, N - on_rim), (0, 0)]).T
     across = scipy.sparse.diags(nx) @ D[1, 0] + scipy.sparse.diags(ny) @ D[0, 1]
 
-    dt = 1 / round(1 / d)
+    steps = round(1 / d)
+    dt = 1 / steps
     I = scipy.sparse.identity(N)
     before = rows(inside, I + dt / 2 * laplacian)
     after = splu((rows(inside, I - dt / 2 * laplacian) + rows(given, I) + rows(flowing, across)).tocsc())
     u = temperature(points, 0)
-    for step in range(round(1 / dt)):
+    for step in range(steps):
         t = step * dt
         b = before @ u + dt * inside * source(points, t + dt / 2)
         b[given] = temperature(points[given], t + dt)
         b[flowing] = flux(points[flowing], normal[flowing[:on_rim]], t + dt)
         u = after.solve(b)
+    # The largest eigenvalues of a step, by Arnoldi iteration from noise, which has a share of every mode.
     one_step = LinearOperator((N, N), matvec=lambda u: after.solve(before @ u))
     noise = np.random.default_rng(1).random(N)
     growth = abs(eigs(one_step, k=4, v0=noise, tol=0.01, return_eigenvectors=False)).max()
