@@ -81,7 +81,7 @@ class RealNumbers(TestCase):
                                            operators("fpm", 10 * x, smoothing_from=1.0)))
 
     def test_points_and_cells_of_any_form_have_the_same_solution(self):
-        points, cells = square(5)
+        points, cells = square(4)
         problem = {"equation": "poisson", "value": {"boundary": 0}, "source": 1}
         plain = solve(points, cells, **problem)
         for name, form in forms(points).items():
@@ -95,14 +95,14 @@ class RealNumbers(TestCase):
             assert_array_equal(solve(points, form, **problem)[0], plain[0])
 
     def test_facets_and_places_of_any_form_have_the_same_solution(self):
-        points, cells = square(5)
+        points, cells = square(4)
         at, left = numpy.array([[0.3, 0.4], [0.5, 0.2]]), faces(points, cells, left=(0, 0))["left"]
         problem = {"equation": "poisson", "value": {"left": 0}, "source": 1}
         plain = solve(points, cells, {"left": left}, at=at, **problem)
         for name, form in forms(at).items():
             with self.subTest(at=name):
                 assert_array_equal(solve(points, cells, {"left": left}, at=form, **problem)[0], plain[0])
-        for form in left.tolist(), left.astype("u1"), left.astype(">i8"), numpy.asfortranarray(left), left[:, ::-1]:
+        for form in left.tolist(), left.astype("u1"), left.astype(">i8"), left[:, ::-1]:
             assert_array_equal(solve(points, cells, {"left": form}, at=at, **problem)[0], plain[0])
 
     def test_nothing_that_comes_in_is_changed(self):
@@ -124,9 +124,11 @@ class RealNumbers(TestCase):
 class Refusals(TestCase):
     def test_numbers_that_are_not_real_are_refused_with_their_type(self):
         x = line(5)
-        for bad, kind in ((x + 0j, "complex128"), (x.astype(str), x.astype(str).dtype), (x.astype(object), "object"),
-                          (x > 0.5, "bool"), (numpy.array([b"0", b"1"]), "|S1"), (None, "object"), ("fpm", "<U3"),
-                          ({0: 1}, "object"), (x.astype("m8[s]"), "timedelta64[s]"), (iter(x), "object")):
+        for bad, kind in (
+            (x + 0j, "complex128"), (x > 0.5, "bool"), (x.astype("m8[s]"), "timedelta64[s]"),
+            (["0", "1"], "<U1"), ([b"0", b"1"], "|S1"), ("fpm", "<U3"),
+            (x.astype(object), "object"), ({0: 1}, "object"), (iter(x), "object"), (None, "object"),
+        ):
             with self.subTest(kind=kind), self.refuses(f"x must hold real numbers, got the type {kind}"):
                 operators("fpm", bad)
 
@@ -142,7 +144,7 @@ class Refusals(TestCase):
         for compute, name, array in (
             (lambda x: operators("fpm", x), "x", line(12)),
             (operators, "points", cloud(6, 2)),
-            (lambda lengths: operators("fpm", line(12), smoothing_from=lengths), "smoothing_from", numpy.ones(12)),
+            (lambda h: operators("fpm", line(12), smoothing_from=h), "smoothing_from", numpy.ones(12)),
             (lambda points: solve(points, square(4)[1]), "points", square(4)[0]),
             (lambda cells: solve(square(4)[0], cells, young=1, poisson=0), "cells", square(4)[1]),
             (lambda at: solve(*square(4), young=1, poisson=0, at=at), "at", square(4)[0]),
@@ -158,7 +160,7 @@ class Refusals(TestCase):
             (lambda x: weights("fpm", x, 0), "x", "(N,)", [(), (3, 2)]),
             (operators, "points", rows, [(), (12,), (2, 12), (12, 1), (12, 4), (4, 3, 2), (0,)]),
             (lambda x: weights(x, 0), "points", rows, [(), (12,), (2, 12)]),
-            (lambda x: operators("fpm", line(12), smoothing_from=x), "smoothing_from", "(N,)", [(12, 1), (1, 12)]),
+            (lambda h: operators("fpm", line(12), smoothing_from=h), "smoothing_from", "(N,)", [(12, 1)]),
             (lambda x: solve(x, square(4)[1]), "points", rows, [(), (16,), (2, 16)]),
             (lambda x: boundary(x, square(4)[1]), "points", rows, [(), (16,), (2, 16)]),
             (lambda x: solve(*square(4), at=x, young=1, poisson=0), "at", rows, [(2,), (1, 4), (1, 1, 2)]),
@@ -213,7 +215,8 @@ class Refusals(TestCase):
             operators("fpm", line(12), smoothing_from=True)
 
     def test_the_number_of_a_particle_is_an_integer_from_0(self):
-        for compute, N in (lambda number: weights("fpm", line(12), number), 12), (lambda k: weights(cloud(5, 2), k), 25):
+        for compute, N in ((lambda number: weights("fpm", line(12), number), 12),
+                           (lambda number: weights(cloud(5, 2), number), 25)):
             for bad in -1, N:
                 with self.subTest(number=bad), self.refuses(f"there is no particle {bad}; choose 0 to {N - 1}"):
                     compute(bad)

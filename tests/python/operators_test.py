@@ -21,8 +21,8 @@ class OnALine(TestCase):
             file.flush()
             for kernel, smoothing in KERNELS.items():
                 how = {"kernel": kernel, "smoothing": smoothing}
-                options = {"positions": file.name, "states": True, **how}
-                rows, comments = table_and_comments("derivative_test", formulation=list(FORMULATIONS), **options)
+                options = {"positions": file.name, "formulation": list(FORMULATIONS), "states": True, **how}
+                rows, comments = table_and_comments("derivative_test", **options)
                 within = tolerances(comments)
                 for formulation in FORMULATIONS:
                     with self.subTest(kernel=kernel, formulation=formulation):
@@ -78,8 +78,9 @@ class OnALine(TestCase):
         x = line(30)
         for formulation in FORMULATIONS:
             with self.subTest(formulation=formulation):
-                for k, (here, there) in enumerate(zip(operators(formulation, x), operators(formulation, 8 * x - 3))):
-                    assert_allclose(8 ** (k + 1) * there.toarray(), here.toarray(),
+                longer = operators(formulation, 8 * x - 3)
+                for k, (here, there) in enumerate(zip(operators(formulation, x), longer), start=1):
+                    assert_allclose(8**k * there.toarray(), here.toarray(),
                                     rtol=1e-9, atol=1e-9 * abs(here).max())
 
     def test_orders_of_the_second_order_fpm_are_two_on_the_particles_of_the_paper(self):
@@ -95,11 +96,13 @@ class OnALine(TestCase):
         gaps = numpy.diff(x)
         farther = numpy.maximum(numpy.append(gaps, 0), numpy.append(0, gaps))
         nearer = numpy.minimum(numpy.append(gaps, 1), numpy.append(1, gaps))
-        for name, lengths in {"mean": 1 / 29, "largest": gaps.max(), "local": farther, "nearest": nearer}.items():
+        spacings = {"mean": 1 / 29, "largest": gaps.max(), "local": farther, "nearest": nearer}
+        for name, lengths in spacings.items():
             with self.subTest(name=name):
                 for asked, given in zip(operators("fpm", x, smoothing=1.5, smoothing_from=name),
                                         operators("fpm", x, smoothing=1.5, smoothing_from=lengths)):
-                    assert_allclose(given.toarray(), asked.toarray(), rtol=1e-12, atol=1e-12 * abs(asked).max())
+                    assert_allclose(given.toarray(), asked.toarray(),
+                                    rtol=1e-12, atol=1e-12 * abs(asked).max())
 
     def test_one_length_for_all_is_an_array_of_equal_ones(self):
         x = line(30)
@@ -140,8 +143,7 @@ class OnALine(TestCase):
         for keywords, text in (
             ({"kernel": "box"}, "there is no kernel 'box'; choose one of " + ", ".join(KERNELS)),
             ({"volumes": "none"}, "there is no volume convention 'none'; choose one of equal, partition"),
-            ({"smoothing_from": "farthest"}, "there is no spacing 'farthest'; choose one of mean, largest, "
-             "local, nearest, or K-nearest with a number K, such as 6-nearest"),
+            ({"smoothing_from": "farthest"}, "there is no spacing 'farthest'; choose one of mean, largest, local, nearest, or K-nearest with a number K, such as 6-nearest"),
         ):
             with self.subTest(**keywords), self.refuses(text):
                 operators("fpm", x, **keywords)
@@ -155,8 +157,7 @@ class OnALine(TestCase):
         x = line(12)
         for bad in 0, -1, numpy.nan, numpy.inf:
             with self.subTest(smoothing=bad), self.refuses(
-                    "smoothing, the smoothing length over the spacing, must be positive and finite, "
-                    f"got {bad}"):
+                    f"smoothing, the smoothing length over the spacing, must be positive and finite, got {bad}"):
                 operators("fpm", x, smoothing=bad)
             with self.subTest(smoothing_from=bad), self.refuses(
                     f"smoothing_from must be positive and finite, got {bad}"):
@@ -200,8 +201,8 @@ class InThePlaneAndInSpace(TestCase):
 
         for dim, side, B in (2, 12, plane), (3, 6, space):
             for kernel in {}, {"kernel": "quintic_spline", "smoothing": 1.6}:
-                options = {"dimension": dim, "particles": side, "perturb": 0.2, "states": True, **kernel}
-                rows, comments = table_and_comments("derivative_test_in_space", formulation=list(SCHEMES), **options)
+                rows, comments = table_and_comments("derivative_test_in_space", dimension=dim, particles=side,
+                                                    perturb=0.2, states=True, formulation=list(SCHEMES), **kernel)
                 within = tolerances(comments)
                 for name, (scheme, _) in SCHEMES.items():
                     with self.subTest(dim=dim, kernel=kernel, name=name):
@@ -312,13 +313,12 @@ class InThePlaneAndInSpace(TestCase):
             with self.subTest(keyword=keyword), self.assertRaises(TypeError):
                 operators(cloud(6, 2), **{keyword: "fpm"})
 
-    def test_neighbours_that_do_not_determine_the_weights_are_a_failed_computation_with_a_remedy_that_works(self):
+    def test_too_few_neighbours_are_a_failed_computation_with_a_remedy_that_works(self):
         grid = numpy.array([(x, y) for x in numpy.linspace(0, 1, 8) for y in numpy.linspace(0, 1, 8)])
         with self.assertRaises(RuntimeError) as failure:
             operators(grid, smoothing=0.4)
         found = numpy.array(str(failure.exception).split("; try smoothing=")[1], dtype=float)
-        self.assertRegex(str(failure.exception), r"^fpm: particle 0 \(x = \(0, 0\)\) has \d+ neighbours "
-                         r"within 3\.5h, needs 10; try smoothing=[0-9.]+$")
+        self.assertRegex(str(failure.exception), r"^fpm: particle 0 \(x = \(0, 0\)\) has \d+ neighbours within 3\.5h, needs 10; try smoothing=[0-9.]+$")
         self.assertEqual(len(operators(grid, smoothing=found)), 5)
 
     def test_points_on_a_line_do_not_determine_derivatives_in_the_plane(self):

@@ -65,7 +65,8 @@ class ExactFields(TestCase):
             with self.subTest(method=method):
                 fields, _ = solve(points, cells, displacement={"boundary": ("0.1*x", "0.2*z", "-0.1*y")},
                                   method=method, **ELASTIC)
-                assert_allclose([fields["u1"], fields["u2"], fields["u3"]], [0.1 * x, 0.2 * z, -0.1 * y], atol=1e-12)
+                for name, exact in ("u1", 0.1 * x), ("u2", 0.2 * z), ("u3", -0.1 * y):
+                    assert_allclose(fields[name], exact, atol=1e-12)
                 fields, _ = solve(points, cells, equation="poisson", source=-2, value={"boundary": "x^2+y-z"},
                                   method=method)
                 assert_allclose(fields["u"], x * x + y - z, atol=1e-10 if method != "hats" else 0.01)
@@ -73,7 +74,8 @@ class ExactFields(TestCase):
     def test_a_bar_under_tension_is_longer_and_thinner(self):
         points, cells, sides = clamped()
         sides["floor"] = faces(points, cells, floor=(1, 0))["floor"]
-        fields, numbers = solve(points, cells, sides, symmetry=["wall", "floor"], traction={"tip": (0.5, 0)}, **ELASTIC)
+        fields, numbers = solve(points, cells, sides, symmetry=["wall", "floor"], traction={"tip": (0.5, 0)},
+                                **ELASTIC)
         assert_allclose(fields["u1"], 0.2 * points[:, 0], atol=1e-10)
         assert_allclose(fields["u2"], -0.06 * points[:, 1], atol=1e-10)
         assert_allclose(fields["von_mises"], 0.5)
@@ -119,8 +121,8 @@ class ExactFields(TestCase):
         self.assertAlmostEqual(exact, 0.675, places=3)
         for method in "hats", "fpm", "strong":
             with self.subTest(method=method):
-                fields, _ = solve(points, cells, equation="poisson", source=2, value={"boundary": 0}, at=[[0.5, 0]],
-                                  method=method)
+                fields, _ = solve(points, cells, equation="poisson", source=2, value={"boundary": 0},
+                                  at=[[0.5, 0]], method=method)
                 assert_allclose(numpy.hypot(fields["q1"], fields["q2"]), exact, rtol=0.01)
 
 
@@ -133,8 +135,8 @@ class Account(TestCase):
         assert_allclose(numbers["load1:tip"], -0.2, rtol=1e-12)
         assert_allclose([numbers["volume1"], numbers["volume2"]], [0.5, -1], rtol=1e-12)
         for i in "12":
-            forces = [value for name, value in numbers.items() if name.startswith((f"load{i}:", f"reaction{i}:",
-                                                                                  f"volume{i}"))]
+            forces = [value for name, value in numbers.items()
+                      if name.startswith((f"load{i}:", f"reaction{i}:", f"volume{i}"))]
             assert_allclose(sum(forces), 0, atol=1e-12)
         self.assertLess(numbers["defect"], 1e-12)
 
@@ -143,13 +145,12 @@ class Account(TestCase):
         _, numbers = solve(points, cells, sides, symmetry="wall", displacement={"tip": (0.1, 0)}, **ELASTIC)
         self.assertEqual({type(value) for value in numbers.values()}, {float})
         self.assertTrue(all(map(math.isfinite, numbers.values())))
-        self.assertLessEqual({"max_displacement", "max_von_mises", "quality", "noise", "missed_loads", "defect"},
-                             set(numbers))
+        for name in "max_displacement", "max_von_mises", "quality", "noise", "missed_loads", "defect":
+            self.assertIn(name, numbers)
 
     def test_doubtful_stresses_are_a_warning_in_the_callers_line(self):
         points, cells, sides = clamped()
-        with self.assertWarnsRegex(UserWarning, r"^hats: the stresses at the boundary miss the given loads by [0-9.]+ "
-                                   "% of their size, where 10 is the most; do not trust those near it$") as caught:
+        with self.assertWarnsRegex(UserWarning, r"^hats: the stresses at the boundary miss the given loads by [0-9.]+ % of their size, where 10 is the most; do not trust those near it$") as caught:
             solve(points, cells, sides, fix="wall", traction={"tip": (0, -1e-3)}, **ELASTIC)
         self.assertEqual(caught.filename, __file__)
 
@@ -162,9 +163,7 @@ class Account(TestCase):
     def test_forces_far_from_equilibrium_are_a_failed_computation_whose_remedy_works(self):
         points, cells, sides = clamped()
         problem = {"fix": "wall", "traction": {"tip": (0, -1e-3)}, **ELASTIC}
-        with self.assertRaisesRegex(RuntimeError, r"^fpm: loads and reactions leave a defect of [0-9.]+ % of their "
-                                    r"sizes; loads tip \(0, -0.001\), reactions wall \(.*\), volume \(0, 0\); take "
-                                    'method="hats" or a finer mesh$'):
+        with self.assertRaisesRegex(RuntimeError, r'^fpm: loads and reactions leave a defect of [0-9.]+ % of their sizes; loads tip \(0, -0.001\), reactions wall \(.*\), volume \(0, 0\); take method="hats" or a finer mesh$'):
             solve(points, cells, sides, method="fpm", **problem)
         with self.assertWarns(UserWarning):
             _, numbers = solve(points, cells, sides, method="hats", **problem)
@@ -187,8 +186,10 @@ class Plate(TestCase):
     def test_a_plate_given_as_a_body_has_the_displacements_and_stresses_of_the_program(self):
         for method, (nx, ny) in ("weak1", (16, 4)), ("strong", (31, 7)):
             with self.subTest(method=method):
-                rows, comments = table_and_comments("plate", particles=f"{nx}x{ny}", method=method, states="particles")
-                points = numpy.array([(x, y) for x in numpy.linspace(0, 1, nx) for y in numpy.linspace(0, 0.2, ny)])
+                rows, comments = table_and_comments("plate", particles=f"{nx}x{ny}", method=method,
+                                                    states="particles")
+                x, y = numpy.meshgrid(numpy.linspace(0, 1, nx), numpy.linspace(0, 0.2, ny), indexing="ij")
+                points = numpy.column_stack([x.ravel(), y.ravel()])
                 first = numpy.arange(nx * ny).reshape(nx, ny)[:-1, :-1].ravel()[:, numpy.newaxis]
                 cells = numpy.concatenate([first + [0, ny, ny + 1], first + [0, ny + 1, 1]])
                 sides = faces(points, cells, left=(0, 0), right=(0, 1), bottom=(1, 0), top=(1, 0.2))

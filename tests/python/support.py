@@ -42,7 +42,7 @@ def line(N, seed=1):
 
 
 def cloud(n, dim, seed=1):
-    """A grid of n particles on each side of the unit square or cube, moved by U(-1, 1) a fifth of the spacing."""
+    """A grid of n particles on a side of the unit square or cube, moved by up to a fifth of the spacing."""
     grid = numpy.array(list(itertools.product(numpy.linspace(0, 1, n), repeat=dim)))
     return grid + numpy.random.default_rng(seed).uniform(-0.2, 0.2, grid.shape) / (n - 1)
 

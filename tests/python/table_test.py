@@ -41,22 +41,25 @@ class Options(TestCase):
         self.assertEqual(list(rows["formulation"]), ["ssph", "fpm"])
 
     def test_a_flag_is_given_by_true_and_left_out_by_false_and_none(self):
-        plain = table("derivative_test", formulation="fpm", particles=20)
+        case = {"formulation": "fpm", "particles": 20}
+        plain = table("derivative_test", **case)
         for no in False, None, numpy.False_:
-            self.assert_same(table("derivative_test", formulation="fpm", particles=20, quality=no, states=no), plain)
+            self.assert_same(table("derivative_test", quality=no, states=no, **case), plain)
         for yes in True, numpy.True_:
-            rows = table("derivative_test", formulation="fpm", particles=20, quality=yes)
+            rows = table("derivative_test", quality=yes, **case)
             self.assertEqual(rows.dtype.names, (*plain.dtype.names, "quality"))
 
     def test_an_underscore_is_a_hyphen(self):
-        mean = table("derivative_test", formulation="fpm", particles=20, perturb=0.25, smoothing_from="mean")
-        largest = table("derivative_test", formulation="fpm", particles=20, perturb=0.25, smoothing_from="largest")
+        case = {"formulation": "fpm", "particles": 20, "perturb": 0.25}
+        mean = table("derivative_test", smoothing_from="mean", **case)
+        largest = table("derivative_test", smoothing_from="largest", **case)
         self.assertNotEqual(mean["error_first"], largest["error_first"])
 
     def test_zero_is_a_value_and_no_flag(self):
         rows = table("stencil", formulation="fpm", particles=20, particle=0)
         self.assertEqual(rows["offset"][0], 0)
-        assert_array_equal(table("derivative_test", formulation="fpm", particles=20, perturb=0)["perturbation"], 0)
+        rows = table("derivative_test", formulation="fpm", particles=20, perturb=0)
+        self.assertEqual(rows["perturbation"], 0)
 
     def test_numbers_arrive_with_all_of_their_digits(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -64,8 +67,8 @@ class Options(TestCase):
             x = line(20)
             numpy.savetxt(path, x, "%.17g")
             for smoothing in 1 + 2**-40, numpy.float64(1 + 2**-40), numpy.float32(1.25):
-                rows = table("derivative_test", positions=path, formulation="fpm", smoothing=smoothing)
-                again = table("derivative_test", positions=path, formulation="fpm", smoothing=repr(float(smoothing)))
+                rows, again = (table("derivative_test", positions=path, formulation="fpm", smoothing=number)
+                               for number in (smoothing, repr(float(smoothing))))
                 self.assert_same(again, rows)
 
     def test_texts_with_spaces_and_signs_arrive_whole(self):
@@ -94,9 +97,7 @@ class Options(TestCase):
         self.assertIn("Example: derivative_test", shown.getvalue())
 
     def test_the_programs_are_those_with_tables(self):
-        with self.refuses("there is no program 'claims'; choose one of constants, constants_in_space, derivative_test, "
-                          "derivative_test_in_space, draws, hole, orders, plate, roundoff, static_test, "
-                          "static_test_in_space, stencil, vibration_test, vibration_test_in_space"):
+        with self.refuses("there is no program 'claims'; choose one of constants, constants_in_space, derivative_test, derivative_test_in_space, draws, hole, orders, plate, roundoff, static_test, static_test_in_space, stencil, vibration_test, vibration_test_in_space"):
             table("claims")
 
     def test_a_program_outside_of_the_package_is_refused(self):
@@ -109,13 +110,9 @@ class Options(TestCase):
             ({"colour": 1}, "derivative_test: there is no option 'colour'; see table(\"derivative_test\", help=True)"),
             ({"particles": "x"}, "derivative_test: particles: 'x' is no number"),
             ({"particles": []}, "derivative_test: particles needs a value; see table(\"derivative_test\", help=True)"),
-            ({"kernel": "box"}, "derivative_test: there is no kernel 'box'; choose one of gaussian, cubic_spline, "
-             "quintic_spline, wendland_c2, wendland_c4"),
-            ({"particles": 20, "positions": "x.csv"}, "derivative_test: particles and positions exclude each other; "
-             "leave one out; see table(\"derivative_test\", help=True)"),
-            ({"particles": 20, "smoothing_from": "farthest"}, "derivative_test: smoothing_from: there is no spacing "
-             "'farthest'; choose one of mean, largest, local, nearest, or K-nearest with a number K, such as 6-nearest, "
-             "a length, or a file"),
+            ({"kernel": "box"}, "derivative_test: there is no kernel 'box'; choose one of gaussian, cubic_spline, quintic_spline, wendland_c2, wendland_c4"),
+            ({"particles": 20, "positions": "x.csv"}, "derivative_test: particles and positions exclude each other; leave one out; see table(\"derivative_test\", help=True)"),
+            ({"particles": 20, "smoothing_from": "farthest"}, "derivative_test: smoothing_from: there is no spacing 'farthest'; choose one of mean, largest, local, nearest, or K-nearest with a number K, such as 6-nearest, a length, or a file"),
             ({"particles": 20, "function": "sin(x"}, "derivative_test: function: 'sin(x' : ')' expected at character 6"),
         ):
             with self.subTest(**options), self.refuses(text):
@@ -123,8 +120,8 @@ class Options(TestCase):
 
     def test_a_failed_computation_is_a_runtime_error_whose_remedy_works(self):
         options = {"formulation": "second_order_fpm", "particles": 20, "kernel": "cubic_spline"}
-        with self.assertRaisesRegex(RuntimeError, r"^derivative_test: second_order_fpm: .*; try smoothing=[0-9.]+$"
-                                    ) as failure:
+        pattern = r"^derivative_test: second_order_fpm: .*; try smoothing=[0-9.]+$"
+        with self.assertRaisesRegex(RuntimeError, pattern) as failure:
             table("derivative_test", smoothing=0.7, **options)
         remedy = float(str(failure.exception).split("smoothing=")[1])
         self.assertEqual(len(table("derivative_test", smoothing=remedy, **options)), 1)
@@ -133,9 +130,8 @@ class Options(TestCase):
 class Columns(TestCase):
     def test_a_column_holds_integers_numbers_or_texts(self):
         rows = table("derivative_test", formulation="fpm", particles=[10, 20], perturb=[0, 0.25])
-        kinds = {name: rows.dtype[name].kind for name in rows.dtype.names}
-        self.assertEqual({name: kinds[name] for name in ("formulation", "particles", "spacing", "seed", "error_first")},
-                         {"formulation": "U", "particles": "i", "spacing": "f", "seed": "i", "error_first": "f"})
+        for name, kind in ("formulation", "U"), ("particles", "i"), ("spacing", "f"), ("seed", "i"):
+            self.assertEqual(rows.dtype[name].kind, kind)
 
     def test_an_empty_cell_is_nan(self):
         rows = table("derivative_test", formulation="fpm", particles=[10, 40])
@@ -201,8 +197,8 @@ class Files(TestCase):
         again = table("derivative_test", particles=[20, 40], formulation=["fpm", "second_order_fpm"])
         for row in again:
             with self.subTest(formulation=row["formulation"], particles=row["particles"]):
-                same = figure[(figure["formulation"] == row["formulation"]) & (figure["particles"] == row["particles"])
-                              & (figure["perturbation"] == 0)]
+                same = figure[numpy.logical_and.reduce(
+                    [figure[name] == row[name] for name in ("formulation", "particles", "perturbation")])]
                 self.assertEqual(len(same), 1)
                 for name in "error_first", "error_second", "error_first_interior", "error_second_interior":
                     assert_allclose(row[name], same[name][0], rtol=1e-6, atol=2e-10)

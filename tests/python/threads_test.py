@@ -113,14 +113,13 @@ print(*(each.hexdigest() for each in sums))
 
     def run_on(self, threads):
         path = os.pathsep.join([os.path.dirname(__file__), os.environ.get("PYTHONPATH", "")])
-        return subprocess.run([sys.executable, "-W", "ignore", "-c", self.SCRIPT], capture_output=True, text=True,
+        return subprocess.run([sys.executable, "-c", self.SCRIPT], capture_output=True, text=True,
                               env={**os.environ, "OMP_NUM_THREADS": threads, "PYTHONPATH": path})
 
-    def test_one_two_and_three_give_the_same_bytes(self):
+    def test_one_and_two_give_the_same_bytes(self):
         alone = self.run_on("1")
         self.assertEqual((alone.returncode, alone.stderr, len(alone.stdout.split())), (0, "", 19))
         self.assertEqual(self.run_on("2").stdout, alone.stdout)
-        self.assertEqual(self.run_on("3").stdout, alone.stdout)
 
     def test_a_forked_process_computes_as_its_parent(self):
         x = line(2000)
