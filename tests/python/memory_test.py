@@ -25,10 +25,10 @@ class Lifetimes(unittest.TestCase):
         D, D2 = operators("second_order_fpm", x)
         del D, x
         gc.collect()
-        others = [operators("fpm", line(400, seed)) for seed in range(20)]  # which would take its memory
+        others = [operators("fpm", line(400, seed)) for seed in range(5)]  # which would take its memory
         for now, then in zip(arrays(D2), before):
             assert_array_equal(now, then)
-        self.assertEqual(len(others), 20)
+        self.assertEqual(len(others), 5)
 
     def test_an_array_outlives_its_matrix(self):
         D, _ = operators("second_order_fpm", line(400))
@@ -36,10 +36,10 @@ class Lifetimes(unittest.TestCase):
         copies = [array.copy() for array in kept]
         del D
         gc.collect()
-        others = [operators("fpm", line(400, seed)) for seed in range(20)]
+        others = [operators("fpm", line(400, seed)) for seed in range(5)]
         for now, then in zip(kept, copies):
             assert_array_equal(now, then)
-        self.assertEqual(len(others), 20)
+        self.assertEqual(len(others), 5)
 
     def test_a_derivative_in_the_plane_outlives_the_dict_and_its_points(self):
         x = cloud(20, 2)
@@ -57,10 +57,10 @@ class Lifetimes(unittest.TestCase):
         copies = [array.copy() for array in kept]
         del row
         gc.collect()
-        others = [weights(cloud(10, 2), k) for k in range(50)]
+        others = [weights(cloud(10, 2), k) for k in range(10)]
         for now, then in zip(kept, copies):
             assert_array_equal(now, then)
-        self.assertEqual(len(others), 50)
+        self.assertEqual(len(others), 10)
 
     def test_nothing_holds_what_came_in(self):
         class Array(numpy.ndarray):

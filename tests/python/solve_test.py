@@ -103,6 +103,18 @@ class ExactFields(TestCase):
             for name in "max_u", "load1:tip", "reaction1:wall":
                 assert_allclose(others[name], numbers[name], rtol=1e-9)
 
+    def test_lengths_of_ones_own_belong_to_the_points_in_their_order(self):
+        points, cells, sides = clamped()
+        lengths = 0.125 * (1 + 0.1 * points[:, 0] + 0.05 * points[:, 1])
+        fields, _ = solve(points, cells, sides, method="fpm", smoothing_from=lengths, **SMOOTH)
+        plain, _ = solve(points, cells, sides, method="fpm", smoothing_from=0.125, **SMOOTH)
+        self.assertGreater(abs(fields["u"] - plain["u"]).max(), 1e-6)
+        *moved, order = shuffled(points, cells, sides)
+        again, _ = solve(*moved, method="fpm", smoothing_from=lengths[order], **SMOOTH)
+        assert_allclose(again["u"], fields["u"][order], rtol=1e-9)
+        with self.refuses("81 points need as many smoothing_from, or one, got 80"):
+            solve(points, cells, sides, method="fpm", smoothing_from=lengths[1:], **SMOOTH)
+
     def test_errors_of_a_smooth_scalar_are_small_and_fall_with_the_square_of_the_distance(self):
         for method in METHODS:
             error = {}
@@ -139,6 +151,14 @@ class Account(TestCase):
                       if name.startswith((f"load{i}:", f"reaction{i}:", f"volume{i}"))]
             assert_allclose(sum(forces), 0, atol=1e-12)
         self.assertLess(numbers["defect"], 1e-12)
+
+    def test_a_cube_that_hangs_from_its_top_pulls_with_its_weight(self):
+        points, cells = cube(4)
+        sides = faces(points, cells, top=(2, 1))
+        fields, numbers = solve(points, cells, sides, symmetry="top", displacement={"rest": (0, 0, None)},
+                                body_force=(0, 0, -2), young=2.5, poisson=0.0)
+        assert_allclose(fields["u3"], -2 / 2.5 * (1 - points[:, 2] ** 2) / 2, atol=0.02)
+        assert_allclose([numbers["volume3"], numbers["reaction3:top"]], [-2, 2], rtol=1e-9)
 
     def test_numbers_are_of_python_and_finite(self):
         points, cells, sides = clamped()
