@@ -74,7 +74,7 @@ class Keywords(TestCase):
 
     def test_a_number_arrives_with_all_of_its_digits(self):
         points, cells = square(5)
-        for number in 1 / 3, 1e-7 / 3, numpy.float64(2) / 3, 10**10 + 1:
+        for number in 1 / 3, 1e-7 / 3, numpy.float64(2) / 3, 10**10 + 1, 10**20:
             fields, _ = solve(points, cells, equation="poisson", value={"boundary": number})
             assert_allclose(fields["u"], number, rtol=1e-14)
 
@@ -132,7 +132,9 @@ class Keywords(TestCase):
              "conductivity must be positive, it is 0 at the particle (0, 0)"),
             ({"equation": "poisson", "value": {"wall": 0}, "method": "all"}, "solve takes one method; call it for each"),
             ({"equation": "poisson", "value": {"wall": 0}, "method": ["hats", "fpm"]},
-             "solve takes one method, by its name; call it for each"),
+             "solve takes one method; call it for each"),
+            ({"fix": "wall", "smoothing-from": "nearest", **ELASTIC},
+             "there is no option 'smoothing-from'; see help(solve)"),
         ):
             with self.subTest(**keywords), self.refuses(text):
                 solve(points, cells, sides, **keywords)
