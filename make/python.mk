@@ -14,6 +14,8 @@ python: $(package)/core.so $(package)/__init__.py $(tabulating) ## compile Pytho
 	@mkdir -p $(package)/bin
 	ln -sf $(tabulating:$(bin)/%=../../../bin/%) $(package)/bin
 
+# Waiting threads sleep, as for tables: small operators would wait for each other most of the time.
+check-python: export OMP_WAIT_POLICY := passive
 check-python: python ## run the tests of Python's module
 	@PYTHONPATH=$(BUILD)/python $(PYTHON) -W error -m unittest discover --start-directory tests/python --pattern '*_test.py'
 
