@@ -3,9 +3,15 @@ PYTHON ?= /usr/bin/python3
 package := $(BUILD)/python/particle_methods
 python_objects := $(call objects_in,src/python/%)
 with_python = -isystem $(shell $(PYTHON) -c 'import sysconfig; print(sysconfig.get_path("include"))')
+$(python_objects): $(BUILD)/python/interpreter
+$(BUILD)/python/interpreter: FORCE
+	@mkdir -p $(@D)
+	[[ -f $@ && "$$(< $@)" == '$(with_python)' ]] || echo '$(with_python)' > $@
 # pybind11 wants its types hidden, so that modules do not share them.
 $(python_objects): private CXXFLAGS += -fvisibility=hidden
-$(python_objects) $(filter $(BUILD)/lint/src/python/%,$(linted)): private CPPFLAGS += $(with_python)
+# The interpreter is asked only where it is needed.
+without_python := $(CPPFLAGS)
+$(python_objects) $(filter $(BUILD)/lint/src/python/%,$(linted)): private CPPFLAGS = $(without_python) $(with_python)
 # All programs but those that serve the package.
 tabulating := $(filter-out $(addprefix $(bin)/,claims choices compare_tables walkthrough),$(programs))
 

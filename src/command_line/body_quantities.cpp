@@ -81,7 +81,7 @@ void require_inside(const Body<dim>& body, const std::vector<Point<dim>>& places
         Index nearest = 0;
         const double distance = (body.x.colwise() - x).colwise().norm().minCoeff(&nearest);
         throw InvalidInput("the place " + particles::shown_point(x) +
-                           " of --at or --along lies outside of the body; the nearest particle is " +
+                           " lies outside of the body; the nearest particle is " +
                            particles::shown_point(Point<dim>(body.x.col(nearest))) + ", " + shown(distance) +
                            " away");
     }

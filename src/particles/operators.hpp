@@ -177,6 +177,20 @@ inline void check_rows(const Range& rows, Index N) {
                            std::to_string(rows.last - 1) + " among " + std::to_string(N) + " particles");
 }
 
+/// \throws FailedComputation naming the first particle whose second derivative has weights that are not
+///         finite, as its diagonal entry shows
+template <class Scalar>
+void require_finite(const Operator<Scalar>& D2, const Line<Scalar>& line, const Requirement& required) {
+    for_each_index(D2.rows(), [&](Index i) {
+        using std::isfinite;
+        if (!isfinite(D2.coeff(i, i)))
+            throw FailedComputation(
+                std::string(required.formulation) + ": at particle " + std::to_string(i) + " (" +
+                position_in_words(line, i) +
+                ") the weights of the second derivative are not finite; take another unit of length");
+    });
+}
+
 /// The weights that a function gives for a neighbourhood: of both derivatives, or of the first alone.
 template <class Scalar, class Function>
 Derivatives<Scalar> weights_of(const Function& function, const Neighbourhood<Scalar>& near) {
@@ -265,6 +279,7 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
     if (rule.second) {
         Operator<Scalar> D2 = rule.second(all.D);
         all.D2.swap(D2);  // Eigen's assignment would copy
+        detail::require_finite(all.D2, line, required);
     }
     return all;
 }

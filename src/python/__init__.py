@@ -1,14 +1,16 @@
 """Particle methods of two papers, from Python.
 
 Two papers on particle (meshless) methods, reproduced in C++: Asprone et al. (2010), on a line, and Batra and
-Zhang (2008), in the plane and in space. Arrays go in, matrices of scipy and structured arrays come out.
+Zhang (2008), in the plane and in space. Arrays go in; matrices of scipy and structured arrays come out.
 
 operators   first and second derivatives as sparse matrices, on a line, in the plane and in space
 weights     those of one particle, with their moments and the bound of their error
 solve       a boundary-value problem on a body of your own; boundary helps to name its sides
-table       what a program of the package prints, as a structured array
+table       what a program of the package prints, as a structured array; read_table reads one of its files
 
-What a message calls a keyword is that of the function, and an option of the program with the same name.
+Arrays may be lists, of any real type, not contiguous or read-only; they are only read. What has no meaning
+raises ValueError, and what cannot be computed RuntimeError; the message says what helps. While C++ computes,
+other threads of Python run. OMP_NUM_THREADS is the number of its own threads.
 """
 
 import csv
@@ -17,24 +19,179 @@ import subprocess
 
 import numpy
 
-from .core import Weights, boundary, in_python, operators, solve, weights
+from . import core
+from .core import Weights
 
 __all__ = ["Weights", "boundary", "operators", "read_table", "solve", "table", "weights"]
 
-_programs = pathlib.Path(__file__).parent / "bin"
+
+def operators(*arguments, **keywords):
+    """First and second derivatives as sparse matrices. Row i holds the weights of particle i.
+
+    operators(formulation, x, *, kernel="gaussian", smoothing=1.0, smoothing_from="mean", volumes="equal")
+
+    On a line, by a formulation of Asprone et al. (2010).
+      formulation     original, chen_beraun, rkpm_first_order, rkpm_second_order, fpm, modified_fpm,
+                      second_order_fpm; or ssph, of Batra and Zhang (2008), or definite_fpm, our own
+      x               positions in increasing order, shape (N,) [length]
+      kernel          gaussian, cubic_spline, quintic_spline, ... (the refusal of a wrong name has all)
+      smoothing       smoothing length h over the spacing
+      smoothing_from  the spacing: mean, largest, local, nearest, K-nearest, a length, or N lengths
+      volumes         of the particles: equal, or partition (their cells)
+    Returns (D, D2), scipy.sparse.csr_matrix of shape (N, N) [1/length, 1/length^2].
+
+    operators(points, *, scheme="fpm", degree=None, kernel=None, smoothing=1.2, smoothing_from="local")
+
+    In the plane or in space.
+      points          positions in any order, shape (N, 2) or (N, 3) [length]
+      scheme          fpm, the second-order FPM, or ssph, the SSPH basis of Batra and Zhang (2008)
+      degree          of the monomials of ssph: 2 (default) or 3
+      kernel          as on a line; by default a Gaussian that is lowered to zero at 3.5 h, in space at 3 h
+    Returns a dict from the multi-index of a derivative to its csr_matrix: with the values B at the points,
+    D[1, 0] @ B is dB/dx [1/length] and D[1, 1] @ B is d2B/dxdy [1/length^2].
+
+    >>> x = numpy.linspace(0, 1, 41)
+    >>> D, D2 = operators("second_order_fpm", x)
+    >>> abs(D2 @ numpy.exp(x) - numpy.exp(x)).max()    # 1.5e-3, and a quarter of it on 81 particles
+
+    >>> D = operators(numpy.random.default_rng(1).random((1000, 2)))
+    >>> laplacian = D[2, 0] + D[0, 2]
+    """
+    return _chosen(_operators_on_a_line, _operators_in_space, arguments, keywords)
 
 
-def _column(texts):
-    """Integers, numbers (nan where a cell is empty) or texts, whatever all of them are."""
-    for read in (int, lambda text: float(text or "nan"), str):
-        try:
-            return numpy.array([read(text) for text in texts])
-        except (ValueError, OverflowError):
-            pass
+def _chosen(on_a_line, in_space, arguments, keywords):
+    """Calls one of two functions: arguments for a line begin with the name of a formulation."""
+    line = "formulation" in keywords or isinstance((*arguments, None)[0], str)
+    return (on_a_line if line else in_space)(*arguments, **keywords)
 
 
-def _structured(lines):
+def _operators_on_a_line(formulation, x, *, kernel="gaussian", smoothing=1.0, smoothing_from="mean", volumes="equal"):
+    return core.operators_on_a_line(formulation, x, kernel, smoothing, smoothing_from, volumes)
+
+
+def _operators_in_space(points, *, scheme="fpm", degree=None, kernel=None, smoothing=1.2, smoothing_from="local"):
+    return core.operators_in_space(points, scheme, degree, kernel, smoothing, smoothing_from)
+
+
+def weights(*arguments, **keywords):
+    """One particle's weights for all derivatives, and what they are worth: see Weights.
+
+    weights(formulation, x, number, *, ...)    on a line; derivatives have the keys 1 and 2
+    weights(points, number, *, ...)            in the plane or in space; their keys are multi-indices
+
+    The number of the particle counts from 0; all other arguments are those of operators.
+
+    >>> row = weights("modified_fpm", numpy.linspace(0, 1, 41), 0)
+    >>> row.moments[2][3]    # what the second derivative gets wrong: 1.01 spacings times the third
+    """
+    return _chosen(_weights_on_a_line, _weights_in_space, arguments, keywords)
+
+
+def _weights_on_a_line(
+    formulation, x, number, *, kernel="gaussian", smoothing=1.0, smoothing_from="mean", volumes="equal"
+):
+    return core.weights_on_a_line(formulation, x, number, kernel, smoothing, smoothing_from, volumes)
+
+
+def _weights_in_space(points, number, *, scheme="fpm", degree=None, kernel=None, smoothing=1.2, smoothing_from="local"):
+    return core.weights_in_space(points, number, scheme, degree, kernel, smoothing, smoothing_from)
+
+
+def boundary(points, cells):
+    """The facets on the boundary of a mesh: those of one cell only.
+
+    points  positions, shape (N, 2) or (N, 3) [length]
+    cells   triangles or tetrahedra, the numbers of their corners, shape (n, 3) or (n, 4)
+
+    Returns the numbers of their points, shape (m, 2) or (m, 3). Seen from outside, the corners of a triangle run
+    counter-clockwise; a segment has the body to its left.
+
+    >>> facets = boundary(points, cells)
+    >>> middles = points[facets].mean(axis=1)
+    >>> sides = {"wall": facets[middles[:, 0] == 0], "tip": facets[middles[:, 0] == 1]}
+    """
+    return core.boundary(points, cells)
+
+
+def solve(points, cells, sides=None, *, at=None, smoothing_from="local", **problem):
+    """The solution of a boundary-value problem on a body, with an account of its errors.
+
+    points   positions, shape (N, 2) or (N, 3) [length]
+    cells    triangles or tetrahedra, the numbers of their corners, shape (n, 3) or (n, 4)
+    sides    a dict from the name of a side to its facets, shape (m, 2) or (m, 3), see boundary; facets of the
+             boundary in no side are the side "rest". By default all of it is the side "boundary"
+    at       places where the solution is wanted, shape (M, 2) or (M, 3); by default the points
+    problem  keywords with the names of the options of the program body, in the units of points and loads:
+             numbers, or functions of the place as a text such as "-1e6*(1-x)"; None leaves a component free
+
+      equation="elasticity"  young=, poisson=, plane="stress" or "strain", body_force=(bx, by),
+                             fix="wall" or ["wall", "foot"], symmetry=, displacement={"wall": (0, None)},
+                             traction={"tip": (0, -1e6)}, pressure={"bore": 5e6}
+      equation="poisson"     -div(k grad u) + c u = f: conductivity=, source=, reaction=,
+                             value={"wall": 0}, flux={"base": 1e4}, convection={"fins": (50, 293)}
+      methods                method="hats", "fpm", "strong", "weak1" or "weak2", degree=, scaling=, gauss=,
+                             penalty=, smoothing=, smoothing_from= (a name, a length, or N lengths)
+
+    A side on which nothing is given is free of loads, or insulated.
+
+    Returns (fields, numbers). fields is a structured array, a row for each place: x, y(, z), then u1, u2(, u3),
+    s11, s22, ... and von_mises, or u and the flux of heat q1, q2(, q3). numbers is a dict: the largest ones, the
+    loads and reactions, and what tells of errors: quality, noise, missed_loads, defect. What is wrong with them
+    is a warning, too; where the forces are far from equilibrium it is a RuntimeError.
+    """
+    return core.solve(points, cells, sides, at, smoothing_from, problem)
+
+
+def table(program, **options):
+    """What a program of the package prints, as a structured array: a test, an example problem, a stencil.
+
+    Its options are keywords: --smoothing-from local is smoothing_from="local", and a list is particles=[20, 40].
+    A flag is quality=True. table("derivative_test", help=True) prints all of them.
+
+    >>> errors = table("derivative_test", formulation="second_order_fpm", particles=[20, 40, 80])
+    >>> errors["error_second"]
+    """
+    programs = pathlib.Path(__file__).parent / "bin"
+    known = sorted(file.name for file in programs.iterdir())
+    if program not in known:
+        raise ValueError(f"there is no program {program!r}; choose one of {', '.join(known)}")
+    arguments = [text for name, value in options.items() for text in _arguments(name, value)]
+    done = subprocess.run([programs / program, *arguments], capture_output=True, text=True)
+    if done.returncode != 0:
+        said = done.stderr.strip().replace(f"see {program} --help", f'see table("{program}", help=True)')
+        raise (ValueError if done.returncode == 2 else RuntimeError)(core.in_python(said))
+    if options.get("help") or options.get("version"):
+        return print(done.stdout)
+    if "output" in options:
+        return read_table(options["output"])
+    return _structured(program, done.stdout.splitlines(keepends=True))
+
+
+def read_table(path):
+    """A table of the package, such as data/asprone2010/figure_1.csv: a structured array, empty cells nan."""
+    with open(path, encoding="utf-8", newline="") as file:
+        return _structured(path, file)
+
+
+def _arguments(name, value):
+    """An option of a program from a keyword."""
+    option = "--" + name.replace("_", "-")
+    if value is None or isinstance(value, (bool, numpy.bool_)):
+        return [option] if value else []
+    if numpy.iterable(value) and not isinstance(value, str):
+        value = ",".join(map(str, value))
+    return [f"{option}={value}"]
+
+
+def _structured(source, lines):
+    """The rows of a CSV below its comments; an error names the source and the row."""
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    if not rows:
+        raise ValueError(f"{source} holds no table")
+    for number, row in enumerate(rows):
+        if len(row) != len(rows[0]):
+            raise ValueError(f"{source}: row {number} has {len(row)} cells, and the head has {len(rows[0])}")
     columns = {name: _column([row[k] for row in rows[1:]]) for k, name in enumerate(rows[0])}
     table = numpy.empty(len(rows) - 1, [(name, column.dtype) for name, column in columns.items()])
     for name, column in columns.items():
@@ -42,39 +199,10 @@ def _structured(lines):
     return table
 
 
-def read_table(path):
-    """A table of the package, such as data/asprone2010/figure_1.csv: a structured array, empty cells nan."""
-    with open(path, encoding="utf-8", newline="") as file:
-        return _structured(file)
-
-
-def table(program, **options):
-    """What a program of the package prints, as a structured array: a test, an example problem, a stencil.
-
-    Its options are keywords: --smoothing-from local is smoothing_from="local", and a list is particles=[20, 40].
-    A flag is quality=True. `build/bin/derivative_test --help` lists those of a program; table("derivative_test",
-    help=True) prints them.
-
-    Raises ValueError for a program or options without meaning, RuntimeError for a computation that fails.
-
-    >>> errors = table("derivative_test", formulation="second_order_fpm", particles=[20, 40, 80])
-    >>> errors["error_second"]
-    """
-    arguments = []
-    for name, value in options.items():
-        option = "--" + name.replace("_", "-")
-        if isinstance(value, (list, tuple, numpy.ndarray)):
-            value = ",".join(map(str, value))
-        arguments += [option] if value is True else [] if value in (False, None) else [f"{option}={value}"]
-    path = _programs / program
-    if not path.is_file():
-        known = ", ".join(sorted(file.name for file in _programs.glob("*")))
-        raise ValueError(f"there is no program '{program}'; choose one of {known or 'none: make build makes them'}")
-    done = subprocess.run([path, *arguments], capture_output=True, text=True)
-    if done.returncode != 0:
-        kind = ValueError if done.returncode == 2 else RuntimeError
-        raise kind(in_python(done.stderr.strip().replace(f"see {program} --help", f'see table("{program}", help=True)')))
-    if options.get("help"):
-        print(done.stdout)
-        return None
-    return _structured(done.stdout.splitlines(keepends=True))
+def _column(texts):
+    """Integers, numbers (nan where a cell is empty) or texts, whatever all of them are."""
+    for read, kind in (int, "i8"), (lambda text: float(text or "nan"), "f8"), (str, "U"):
+        try:
+            return numpy.array([read(text) for text in texts], kind)
+        except (ValueError, OverflowError):
+            pass

@@ -1,6 +1,7 @@
 #include "python/arrays.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -15,7 +16,7 @@ using particles::Operator;
 
 namespace {
 
-std::string text(const py::handle& any) {
+std::string shown(const py::handle& any) {
     return py::str(any);
 }
 
@@ -26,20 +27,20 @@ py::array any_array(const py::handle& given, const std::string& name) {
                            ".compressed()");
     const py::array any = py::array::ensure(given);
     if (!any)
-        throw InvalidInput(name + " is no array, but of type " + text(py::type::of(given).attr("__name__")));
+        throw InvalidInput(name + " is no array, but of type " + shown(py::type::of(given).attr("__name__")));
     return any;
 }
 
 void require_shape(const py::array& any, const std::string& name, bool has_it, const std::string& shapes) {
     if (!has_it)
-        throw InvalidInput(name + " must have the shape " + shapes + ", got " + text(any.attr("shape")));
+        throw InvalidInput(name + " must have the shape " + shapes + ", got " + shown(any.attr("shape")));
 }
 
 void require_kind(const py::array& any, const std::string& name, const std::string& kinds,
                   const std::string& what) {
     // An empty list is an array of doubles.
     if (kinds.find(any.dtype().kind()) == std::string::npos && any.size() > 0)
-        throw InvalidInput(name + " must hold " + what + ", got the type " + text(any.dtype()));
+        throw InvalidInput(name + " must hold " + what + ", got the type " + shown(any.dtype()));
 }
 
 }  // namespace
@@ -90,11 +91,53 @@ template std::vector<std::array<int, 2>> numbers_of_particles(const py::handle&,
 template std::vector<std::array<int, 3>> numbers_of_particles(const py::handle&, const std::string&, Index);
 template std::vector<std::array<int, 4>> numbers_of_particles(const py::handle&, const std::string&, Index);
 
-particles::Spacing spacing(const py::object& given) {
-    if (py::isinstance<py::str>(given)) return particles::spacing_named(py::cast<std::string>(given));
-    if (py::isinstance<py::float_>(given) || py::isinstance<py::int_>(given))
-        return particles::Spacing(py::cast<double>(given));
-    return particles::Spacing(column(given, "smoothing_from"));
+namespace {
+
+/// Whether an argument is a scalar of one of numpy's kinds.
+bool is_scalar(const py::handle& given, const std::string& kinds) {
+    const py::array any = py::array::ensure(given);
+    return any && any.ndim() == 0 && kinds.find(any.dtype().kind()) != std::string::npos;
+}
+
+}  // namespace
+
+bool is_number(const py::handle& given) {
+    return is_scalar(given, "fiu") || (PyLong_Check(given.ptr()) != 0 && !py::isinstance<py::bool_>(given));
+}
+bool is_integer(const py::handle& given) {
+    return is_scalar(given, "iu");
+}
+
+namespace {
+
+[[noreturn]] void refuse(const py::handle& given, const std::string& name, const std::string& what) {
+    throw InvalidInput(name + " must be " + what + ", got " + shown(py::repr(given)));
+}
+
+}  // namespace
+
+double number(const py::handle& given, const std::string& name) {
+    if (!is_number(given)) refuse(given, name, "a number");
+    return py::float_(py::reinterpret_borrow<py::object>(given));
+}
+Index integer(const py::handle& given, const std::string& name) {
+    if (!is_integer(given)) refuse(given, name, "an integer");
+    return py::cast<Index>(given);
+}
+std::string text(const py::handle& given, const std::string& name) {
+    if (!py::isinstance<py::str>(given)) refuse(given, name, "a text");
+    return py::cast<std::string>(given);
+}
+
+particles::Spacing spacing(const py::handle& given) {
+    const std::string name = "smoothing_from";
+    if (py::isinstance<py::str>(given)) return particles::spacing_named(text(given, name));
+    const Column<double> lengths =
+        is_number(given) ? Column<double>::Constant(1, number(given, name)) : column(given, name);
+    for (const double length : lengths)
+        if (!(std::isfinite(length) && length > 0))
+            throw InvalidInput(name + " must be positive and finite, got " + base::shown(length));
+    return particles::Spacing(lengths);
 }
 
 py::array_t<double> array_of(const double* numbers, const std::vector<py::ssize_t>& shape) {

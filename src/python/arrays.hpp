@@ -54,9 +54,19 @@ template <std::size_t count>
 std::vector<std::array<int, count>> numbers_of_particles(const py::handle& given, const std::string& name,
                                                          Index N);
 
+/// Whether an argument is one number, or one integer, of Python or of numpy.
+bool is_number(const py::handle& given);
+bool is_integer(const py::handle& given);
+
+/// One number, one integer or one text. \throws base::InvalidInput naming the argument
+double number(const py::handle& given, const std::string& name);
+Index integer(const py::handle& given, const std::string& name);
+std::string text(const py::handle& given, const std::string& name);
+
 /// A spacing: its name, a length, or a length for each particle.
-/// \throws base::InvalidInput as particles::spacing_named() and column()
-particles::Spacing spacing(const py::object& given);
+/// \throws base::InvalidInput as particles::spacing_named() and column(), and for a length that is not
+///         positive
+particles::Spacing spacing(const py::handle& given);
 
 /// An array that owns a copy of these numbers, in C's order.
 /// \param shape with as many entries

@@ -6,26 +6,28 @@
 namespace python {
 
 std::string in_python(const std::string& message) {
-    static const std::regex option(R"re(--(smoothing-from|method|equation|plane) ([a-z0-9-]+))re"
-                                   R"re(|--([a-z][a-z0-9-]*)( "[^"]*"| -?[0-9][^\s,;)]*)?)re");
-    const auto keyword = [](std::string name) {
-        std::replace(name.begin(), name.end(), '-', '_');
-        return name;
-    };
     static const std::regex help("see ([a-z_]+) --help");
-    const std::string with_help = std::regex_replace(message, help, "see help($1)");
+    const std::string said = std::regex_replace(message, help, "see help($1)");
+
+    // An option, and behind it a name, a number, a text in quotes, or letters that stand for a value.
+    static const std::regex option(
+        R"re(--([a-z][a-z0-9-]*)(?: (?:(local|largest|[0-9]+-nearest|hats|fpm|poisson|elasticity|stress|strain)\b|("[^"]*"|-?[0-9][^\s,;)]*|[A-Z][A-Z0-9]*\b)))?)re");
     std::string text;
-    auto rest = with_help.cbegin();
-    for (std::sregex_iterator found(with_help.begin(), with_help.end(), option), end; found != end; ++found) {
+    auto rest = said.cbegin();
+    bool after_value = false;
+    for (std::sregex_iterator found(said.begin(), said.end(), option), end; found != end; ++found) {
         const std::smatch& match = *found;
-        text.append(rest, match[0].first);
-        if (match[1].matched)
-            text += keyword(match[1]) + "=\"" + match[2].str() + '"';
-        else
-            text += keyword(match[3]) + (match[4].matched ? "=" + match[4].str().substr(1) : "");
+        const std::string between(rest, match[0].first);
+        text += after_value && between == " " ? ", " : between;
+        std::string name = match[1];
+        std::replace(name.begin(), name.end(), '-', '_');
+        text += name;
+        if (match[2].matched) text += "=\"" + match[2].str() + '"';
+        if (match[3].matched) text += "=" + match[3].str();
+        after_value = match[2].matched || match[3].matched;
         rest = match[0].second;
     }
-    return text.append(rest, with_help.cend());
+    return text.append(rest, said.cend());
 }
 
 }  // namespace python

@@ -1,4 +1,6 @@
 #include <gsl/gsl_errno.h>
+#include <omp.h>
+#include <pthread.h>
 #include <pybind11/pybind11.h>
 
 #include <exception>
@@ -9,6 +11,8 @@
 
 PYBIND11_MODULE(core, module) {
     gsl_set_error_handler_off();  // which would end the process
+    // The threads of OpenMP do not survive a fork, and to wait for them takes for ever.
+    pthread_atfork(nullptr, nullptr, [] { omp_set_num_threads(1); });
     pybind11::register_exception_translator([](std::exception_ptr thrown) {
         try {
             std::rethrow_exception(thrown);

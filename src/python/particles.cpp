@@ -22,13 +22,27 @@ double checked(double smoothing) {
 
 }  // namespace
 
-asprone2010::numerical_tests::Particles<double> OnLine::at(const py::handle& x) const {
+OnLine::OnLine(const py::args& how)
+    : kernel(text(how[0], "kernel")),
+      smoothing(number(how[1], "smoothing")),
+      smoothing_from(spacing(how[2])),
+      volumes(text(how[3], "volumes")) {}
+
+InSpace::InSpace(const py::args& how)
+    : scheme(text(how[0], "scheme")),
+      smoothing(number(how[3], "smoothing")),
+      smoothing_from(spacing(how[4])) {
+    if (const py::object m = how[1]; !m.is_none()) degree = integer(m, "degree");
+    if (const py::object name = how[2]; !name.is_none()) kernel = text(name, "kernel");
+}
+
+asprone2010::numerical_tests::Particles<double> OnLine::at(const Column<double>& x) const {
     asprone2010::numerical_tests::Discretisation how;
     how.volumes = particles::volumes_named(volumes);
     how.kernel = particles::kernel_named(kernel);
     how.smoothing = checked(smoothing);
-    how.smoothing_from = spacing(smoothing_from);
-    return asprone2010::numerical_tests::discretise<double>(how, column(x, "x"));
+    how.smoothing_from = smoothing_from;
+    return asprone2010::numerical_tests::discretise<double>(how, x);
 }
 
 template <int dim>
@@ -44,16 +58,15 @@ const fpm_in_space::Formulation<double, dim>& InSpace::formulation() const {
 }
 
 template <int dim>
-std::pair<Smoothing<double, dim>, Column<double>> InSpace::on(const Cloud<dim>& cloud) const {
+Smoothing<double, dim> InSpace::on(const Cloud<dim>& cloud) const {
     particles::Kernel<dim> chosen = particles::TruncatedGaussian<dim>(fpm_in_space::cut<dim>);
     if (kernel) chosen = particles::kernel_named<dim>(*kernel);
-    const Column<double> delta = particles::spacing(cloud, spacing(smoothing_from));
-    return {Smoothing<double, dim>(chosen, delta, checked(smoothing)), delta};
+    return {chosen, particles::spacing(cloud, smoothing_from), checked(smoothing)};
 }
 
 template const fpm_in_space::Formulation<double, 2>& InSpace::formulation() const;
 template const fpm_in_space::Formulation<double, 3>& InSpace::formulation() const;
-template std::pair<Smoothing<double, 2>, Column<double>> InSpace::on(const Cloud<2>&) const;
-template std::pair<Smoothing<double, 3>, Column<double>> InSpace::on(const Cloud<3>&) const;
+template Smoothing<double, 2> InSpace::on(const Cloud<2>&) const;
+template Smoothing<double, 3> InSpace::on(const Cloud<3>&) const;
 
 }  // namespace python

@@ -23,39 +23,56 @@ py::object key(const particles::Exponents<dim>& a) {
 
 /// How the module's functions are asked for a line: the keywords beside the positions.
 struct OnLine {
+    /// \param how kernel, smoothing, smoothing_from, volumes
+    explicit OnLine(const py::args& how);
+
     std::string kernel;
     double smoothing;  ///< h/δ
-    py::object smoothing_from;
+    particles::Spacing smoothing_from;
     std::string volumes;
 
     /// The line with its kernel. \throws base::InvalidInput where a name or a number has no meaning
-    [[nodiscard]] asprone2010::numerical_tests::Particles<double> at(const py::handle& x) const;
+    [[nodiscard]] asprone2010::numerical_tests::Particles<double> at(const Column<double>& x) const;
 };
 
 /// The same in the plane and in space.
 struct InSpace {
+    /// \param how scheme, degree, kernel, smoothing, smoothing_from
+    explicit InSpace(const py::args& how);
+
     std::string scheme;
-    std::optional<int> degree;
+    std::optional<Index> degree;
     std::optional<std::string> kernel;  ///< none for the Gaussian that is lowered to zero
     double smoothing;                   ///< h/δ
-    py::object smoothing_from;
+    particles::Spacing smoothing_from;
 
     /// The formulation. \throws base::InvalidInput for another scheme than fpm and ssph, and another degree
     template <int dim>
     [[nodiscard]] const fpm_in_space::Formulation<double, dim>& formulation() const;
 
-    /// The kernel with its smoothing length, and the distance δ of each particle.
+    /// How many particles it needs, in messages under the name of the scheme.
     template <int dim>
-    [[nodiscard]] std::pair<particles::Smoothing<double, dim>, Column<double>> on(
-        const particles::Cloud<dim>& cloud) const;
+    [[nodiscard]] particles::Requirement required() const {
+        return {scheme, formulation<dim>().particles};
+    }
+
+    /// The kernel with its smoothing length.
+    template <int dim>
+    [[nodiscard]] particles::Smoothing<double, dim> on(const particles::Cloud<dim>& cloud) const;
 };
 
-/// Calls `compute` with the cloud of some positions, of two or three dimensions.
+/// What `compute` returns, while other threads of Python run: it must not touch Python's objects.
+template <class Compute>
+auto while_others_run(const Compute& compute) {
+    const py::gil_scoped_release others_run;
+    return compute();
+}
+
+/// Calls `compute` with positions of two or three dimensions, a column for each particle.
 template <class Compute>
 auto in_its_dimension(const py::handle& points, const Compute& compute) {
     const auto [rows, dim] = positions(points, "points");
-    return dim == 2 ? compute(particles::Cloud<2>(points_of<2>(rows)))
-                    : compute(particles::Cloud<3>(points_of<3>(rows)));
+    return dim == 2 ? compute(points_of<2>(rows)) : compute(points_of<3>(rows));
 }
 
 }  // namespace python

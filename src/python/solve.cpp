@@ -1,7 +1,7 @@
-#include <pybind11/stl.h>
-
 #include <algorithm>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,7 +15,6 @@
 
 namespace python {
 
-using namespace pybind11::literals;
 using base::InvalidInput;
 using bodies::Body;
 using bodies::Mesh;
@@ -25,68 +24,40 @@ using bodies::Points;
 
 namespace {
 
-constexpr auto about_boundary = R"(The facets on the boundary of a mesh: those of one cell only.
+/// In the line that calls solve.
+void warn(const std::string& remark) {
+    if (PyErr_WarnEx(PyExc_UserWarning, in_python(remark).c_str(), 2) != 0) throw py::error_already_set();
+}
 
-points  positions, shape (N, 2) or (N, 3) [length]
-cells   triangles or tetrahedra, the numbers of their corners, shape (n, 3) or (n, 4)
-
-Returns the numbers of their points, shape (m, 2) or (m, 3). Seen from outside, the corners of a triangle run
-counter-clockwise; a segment has the body to its left.
-
->>> facets = boundary(points, cells)
->>> middles = points[facets].mean(axis=1)
->>> sides = {"wall": facets[middles[:, 0] == 0], "tip": facets[middles[:, 0] == 1]}
-)";
-
-constexpr auto about_solve =
-    R"raw(The solution of a boundary-value problem on a body, with an account of its errors.
-
-points   positions, shape (N, 2) or (N, 3) [length]
-cells    triangles or tetrahedra, the numbers of their corners, shape (n, 3) or (n, 4)
-sides    a dict from the name of a side to its facets, shape (m, 2) or (m, 3), see boundary(); facets of the
-         boundary in no side are the side "rest". By default all of it is the side "boundary"
-at       places where the solution is wanted, shape (M, 2) or (M, 3); by default the points
-problem  keywords with the names of the options of the program `body`, in the units of the points and of the
-         loads. Numbers, or functions of the place as a text such as "-1e6*(1-x)"; None leaves a component free
-
-  equation="elasticity"  young=, poisson=, plane="stress"|"strain", body_force=(bx, by)
-                         fix="wall"|["wall", "foot"], symmetry=, displacement={"wall": (0, None)},
-                         traction={"tip": (0, -1e6)}, pressure={"bore": 5e6}
-  equation="poisson"     -div(k grad u) + c u = f: conductivity=, source=, reaction=
-                         value={"wall": 0}, flux={"base": 1e4}, convection={"fins": (50, 293)}
-  methods                method="hats"|"fpm"|"strong"|"weak1"|"weak2", degree=, scaling=, smoothing=,
-                         smoothing_from=, gauss=, penalty=
-
-A side on which nothing is given is free of loads, or insulated.
-
-Returns (fields, numbers). `fields` is a structured array, a row for each place: x, y(, z), then u1, u2(, u3),
-s11, s22, ... and von_mises, or u and the flux of heat q1, q2(, q3). `numbers` is a dict: the largest ones, the
-loads and reactions, and what tells of errors: quality, noise, missed_loads, defect. What is wrong with them
-comes as a warning.
-Raises ValueError for arguments without meaning, RuntimeError where the method fails or its forces are not in
-equilibrium.
-)raw";
-
-/// An argument as the command line has it: 1e6, (0, None) and "x^2" are "1000000.0", "0, -" and "x^2".
+/// An argument as the command line has it: 1.5, (0, None) and "x^2" are "1.5", "0, -" and "x^2".
 std::string text_of(const py::handle& value) {
     if (py::isinstance<py::str>(value)) return py::cast<std::string>(value);
     if (value.is_none()) return "-";
+    if (py::isinstance<py::bool_>(value)) return py::str(value);
+    if (is_integer(value)) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
     if (py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value)) {
         std::string all;
         for (const py::handle& entry : value) all += (all.empty() ? "" : ", ") + text_of(entry);
         return all;
     }
-    if (PyNumber_Check(value.ptr()) == 0)
+    if (!is_number(value))
         throw InvalidInput(std::string(py::repr(value)) +
                            " is no number and no function; write functions as a text, such as \"1 + x^2\"");
     return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
 }
 
 /// Keywords as arguments of a program.
-std::vector<std::string> arguments(const py::kwargs& keywords) {
+std::vector<std::string> arguments(const py::dict& keywords) {
     std::vector<std::string> all{"solve"};
     for (const auto& [key, value] : keywords) {
-        std::string option = "--" + py::cast<std::string>(key);
+        if (value.is_none()) continue;
+        const std::string keyword = py::cast<std::string>(key);
+        const bool is_name = keyword.find('-') == std::string::npos;  // an option has no second spelling
+        if (!is_name || keyword == "help" || keyword == "version")
+            throw InvalidInput("there is no option '" + keyword + "'; see help(solve)");
+        if (keyword == "method" && !py::isinstance<py::str>(value))
+            throw InvalidInput("solve takes one method; call it for each");
+        std::string option = "--" + keyword;
         std::replace(option.begin(), option.end(), '_', '-');
         const bool names = py::isinstance<py::list>(value) && py::len(value) > 0 &&
                            std::all_of(value.begin(), value.end(), py::isinstance<py::str>);
@@ -96,13 +67,12 @@ std::vector<std::string> arguments(const py::kwargs& keywords) {
         else if (names)
             for (const py::handle& name : value) all.push_back(option + "=" + text_of(name));
         else
-            all.push_back(option + "=" +
-                          (py::isinstance<py::int_>(value) ? std::string(py::str(value)) : text_of(value)));
+            all.push_back(option + "=" + text_of(value));
     }
     return all;
 }
 
-command_line::BodyOptions options_of(const py::kwargs& keywords) {
+command_line::BodyOptions options_of(const py::dict& keywords) {
     command_line::BodyOptions options;
     command_line::CommandLine line("", "solve");
     command_line::add_options(line, options.problem);
@@ -133,6 +103,9 @@ Mesh<dim> mesh_of(const Numbers& points, const py::object& cells) {
     std::vector<bool> used(static_cast<std::size_t>(points.shape(0)), false);
     for (const auto& cell : mesh.cells)
         for (const int node : cell) used[static_cast<std::size_t>(node)] = true;
+    for (Index k = 0; k < mesh.x.cols(); ++k)
+        if (!mesh.x.col(k).allFinite())
+            throw InvalidInput("point " + std::to_string(k) + " is not at a finite position");
     if (const auto lost = std::find(used.begin(), used.end(), false); lost != used.end())
         throw InvalidInput(
             "point " + std::to_string(lost - used.begin()) +
@@ -168,6 +141,11 @@ void name_sides(Mesh<dim>& mesh, const py::dict& sides) {
             found->second = side;
         }
     }
+    const auto unnamed =
+        std::count_if(names.begin(), names.end(), [](const auto& one) { return one.second.empty(); });
+    if (unnamed > 0 && sides.contains("rest"))
+        throw InvalidInput("the side 'rest' has the facets that are in no other, and " +
+                           std::to_string(unnamed) + " are; take another name than 'rest'");
     std::map<std::string, std::vector<Nodes<dim>>> by_side;
     for (const auto& [facet, side] : names) by_side[side.empty() ? "rest" : side].push_back(facet);
     for (const auto& [side, facets] : by_side) mesh.patches.push_back({0, {side}, facets, {}});
@@ -188,6 +166,20 @@ std::vector<Index> particles_at(const Points<dim>& points, const Body<dim>& body
     return all;
 }
 
+/// Lengths of the points as lengths of the body's particles, which have another order.
+/// \throws InvalidInput unless there is one for each point
+particles::Spacing reordered(const particles::Spacing& spacing, const std::vector<Index>& particle) {
+    if (spacing.lengths.size() <= 1) return spacing;
+    if (spacing.lengths.size() != static_cast<Index>(particle.size()))
+        throw InvalidInput(std::to_string(particle.size()) +
+                           " points need as many smoothing_from, or one, got " +
+                           std::to_string(spacing.lengths.size()));
+    Column<double> lengths(spacing.lengths.size());
+    for (std::size_t k = 0; k < particle.size(); ++k)
+        lengths[particle[k]] = spacing.lengths[static_cast<Index>(k)];
+    return particles::Spacing(lengths);
+}
+
 /// A structured array of doubles. \param rows the numbers of a row, in the order of the names
 py::object structured(const std::vector<std::string>& names, const Eigen::MatrixXd& rows) {
     py::list columns;
@@ -203,32 +195,31 @@ py::object fields(const command_line::SolvedBody<dim, n>& solved,
                   const std::vector<bodies::State<dim, n>>& states, const Points<dim>& places) {
     static const std::array<const char*, 3> axes{"x", "y", "z"};
     std::vector<std::string> names(axes.begin(), axes.begin() + dim);
-    Eigen::MatrixXd rows;
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        const auto numbers = command_line::named(states[k], solved.material);
-        if (k == 0) {
-            for (const auto& [name, number] : numbers) names.push_back(name);
-            rows.resize(static_cast<Index>(names.size()), places.cols());
-        }
-        const auto column = static_cast<Index>(k);
-        rows.col(column).template head<dim>() = places.col(column);
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            rows(dim + static_cast<Index>(i), column) = numbers[i].second;
+    for (const auto& [name, number] : command_line::named(solved.at_particles.front(), solved.material))
+        names.push_back(name);
+    Eigen::MatrixXd rows(static_cast<Index>(names.size()), places.cols());
+    for (Index k = 0; k < places.cols(); ++k) {
+        rows.col(k).template head<dim>() = places.col(k);
+        Index i = dim;
+        for (const auto& [name, number] :
+             command_line::named(states[static_cast<std::size_t>(k)], solved.material))
+            rows(i++, k) = number;
     }
     return structured(names, rows);
 }
 
-void warn(const std::string& remark) {
-    if (PyErr_WarnEx(PyExc_UserWarning, in_python(remark).c_str(), 1) != 0) throw py::error_already_set();
-}
-
 template <int dim, int n>
-py::tuple solved(const command_line::BodyOptions& options, const Points<dim>& points, const Body<dim>& body,
-                 const std::optional<Points<dim>>& at) {
+py::tuple solved(const command_line::BodyOptions& options, const particles::Spacing& spacing,
+                 const Points<dim>& points, const Body<dim>& body, const std::optional<Points<dim>>& at) {
     std::optional<py::gil_scoped_release> others_run(std::in_place);
-    const solvers::OneBlasThread alone;
+    // METIS, which orders the unknowns, draws from the one rand() of a process, and OpenBLAS has one number of threads.
+    static std::mutex one_at_a_time;
+    std::unique_lock<std::mutex> turn(one_at_a_time);
+    std::optional<solvers::OneBlasThread> alone(std::in_place);
     const auto problem = command_line::problem<dim, n>(options.problem, body);
-    const bodies::Discretisation how = command_line::discretisations(options, body).front();
+    const std::vector<Index> particle = particles_at(points, body);
+    bodies::Discretisation how = command_line::discretisations(options, body).front();
+    how.spacing = reordered(spacing, particle);
     if (at) {
         std::vector<Point<dim>> places;
         for (Index k = 0; k < at->cols(); ++k) places.push_back(at->col(k));
@@ -245,8 +236,9 @@ py::tuple solved(const command_line::BodyOptions& options, const Points<dim>& po
     if (at)
         states = command_line::states(problem, solution, *at);
     else
-        for (const Index I : particles_at(points, body))
-            states.push_back(all.at_particles[static_cast<std::size_t>(I)]);
+        for (const Index I : particle) states.push_back(all.at_particles[static_cast<std::size_t>(I)]);
+    alone.reset();
+    turn.unlock();
     others_run.reset();
 
     py::dict numbers;
@@ -258,7 +250,7 @@ py::tuple solved(const command_line::BodyOptions& options, const Points<dim>& po
 
 template <int dim>
 py::tuple solve(const Numbers& rows, const py::object& cells, const py::object& sides, const py::object& at,
-                const command_line::BodyOptions& options) {
+                const particles::Spacing& spacing, const command_line::BodyOptions& options) {
     command_line::check(options.problem, dim);
     Mesh<dim> mesh = mesh_of<dim>(rows, cells);
     if (!sides.is_none()) {
@@ -275,8 +267,9 @@ py::tuple solve(const Numbers& rows, const py::object& cells, const py::object& 
         places = points_of<dim>(wanted);
     }
     const Body<dim> body = bodies::body_of(mesh);
-    return command_line::is_scalar(options.problem) ? solved<dim, 1>(options, mesh.x, body, places)
-                                                    : solved<dim, dim>(options, mesh.x, body, places);
+    return command_line::is_scalar(options.problem)
+               ? solved<dim, 1>(options, spacing, mesh.x, body, places)
+               : solved<dim, dim>(options, spacing, mesh.x, body, places);
 }
 
 template <int dim>
@@ -291,23 +284,18 @@ py::object boundary(const Numbers& rows, const py::object& cells) {
 }  // namespace
 
 void define_solve(py::module_& module) {
-    module.def(
-        "boundary",
-        [](const py::object& points, const py::object& cells) {
-            const auto [rows, dim] = positions(points, "points");
-            return dim == 2 ? boundary<2>(rows, cells) : boundary<3>(rows, cells);
-        },
-        about_boundary, "points"_a, "cells"_a);
-    module.def(
-        "solve",
-        [](const py::object& points, const py::object& cells, const py::object& sides, const py::object& at,
-           const py::kwargs& keywords) {
-            const auto [rows, dim] = positions(points, "points");
-            const command_line::BodyOptions options = options_of(keywords);
-            return dim == 2 ? solve<2>(rows, cells, sides, at, options)
-                            : solve<3>(rows, cells, sides, at, options);
-        },
-        about_solve, "points"_a, "cells"_a, "sides"_a = py::none(), py::kw_only(), "at"_a = py::none());
+    module.def("boundary", [](const py::object& points, const py::object& cells) {
+        const auto [rows, dim] = positions(points, "points");
+        return dim == 2 ? boundary<2>(rows, cells) : boundary<3>(rows, cells);
+    });
+    module.def("solve", [](const py::object& points, const py::object& cells, const py::object& sides,
+                           const py::object& at, const py::object& smoothing_from, const py::dict& keywords) {
+        const auto [rows, dim] = positions(points, "points");
+        const particles::Spacing delta = spacing(smoothing_from);
+        const command_line::BodyOptions options = options_of(keywords);
+        return dim == 2 ? solve<2>(rows, cells, sides, at, delta, options)
+                        : solve<3>(rows, cells, sides, at, delta, options);
+    });
 }
 
 }  // namespace python

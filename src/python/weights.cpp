@@ -1,5 +1,3 @@
-#include <pybind11/stl.h>
-
 #include <vector>
 
 #include "command_line/formulations.hpp"
@@ -9,7 +7,6 @@
 
 namespace python {
 
-using namespace pybind11::literals;
 using particles::Cloud;
 using particles::Exponents;
 using particles::Offsets;
@@ -17,20 +14,7 @@ using particles::Operator;
 
 namespace {
 
-constexpr auto about_line = R"(One particle's weights for both derivatives on a line, and what they are worth.
-
-number          of the particle, from 0
-other arguments as of operators
-
-Returns Weights; derivatives have the keys 1 and 2.
-)";
-
-constexpr auto about_space = R"(The same in the plane or in space.
-
-Returns Weights; derivatives have multi-indices as keys, as of operators.
-)";
-
-constexpr auto about_class = R"(A row of each operator: the weights of one particle.
+constexpr auto about_weights = R"(A row of each operator: the weights of one particle.
 
 particles  numbers of the neighbours, the particle itself among them, shape (n,)
 offsets    of the neighbours, shape (n,) or (n, dim) [length]
@@ -121,23 +105,22 @@ py::object array_of_numbers(const Eigen::ArrayXi& numbers) {
     return py::array_t<int>(numbers.size(), numbers.data());
 }
 
-Weights on_a_line(const std::string& formulation, const py::object& x, Index number,
-                  const std::string& kernel, double smoothing, const py::object& smoothing_from,
-                  const std::string& volumes) {
-    const auto& chosen = command_line::formulation_named<double>(formulation);
-    const auto discrete = OnLine{kernel, smoothing, smoothing_from, volumes}.at(x);
-    const auto& line = discrete.line;
-    require_particle(number, line.size());
-    const particles::Operators<double> found = [&] {
-        const py::gil_scoped_release others_run;
-        return chosen.operators(line, discrete.smoothing);
-    }();
+Weights on_a_line(const py::object& formulation, const py::object& x, const py::object& of,
+                  const py::args& keywords) {
+    const auto& chosen = command_line::formulation_named<double>(text(formulation, "formulation"));
+    const OnLine how(keywords);
+    const Index number = integer(of, "number");
+    const Column<double> positions = column(x, "x");
+    require_particle(number, positions.size());
+    const auto [found, delta] = while_others_run([&] {
+        const auto [line, smoothed] = how.at(positions);
+        return std::pair(chosen.operators(line, smoothed), smoothed.h(number) / how.smoothing);
+    });
     // Where D is applied twice, the row of D² is the wider one.
     const Row first = row_of(found.D, number), second = row_of(found.D2, number);
-    const Column<double> r = line.x()(second.columns) - line.x()[number];
+    const Column<double> r = positions(second.columns) - positions[number];
     Column<double> w = Column<double>::Zero(r.size());
     w.segment(first.columns[0] - second.columns[0], first.columns.size()) = first.values;
-    const double delta = discrete.smoothing.h(number) / smoothing;
     Weights all{array_of_numbers(second.columns), array_of_offsets<1>(r), {}, {}, {}};
     add<1>(all, {1}, w, r, delta, chosen.exact.first);
     add<1>(all, {2}, second.values, r, delta, chosen.exact.second);
@@ -145,48 +128,46 @@ Weights on_a_line(const std::string& formulation, const py::object& x, Index num
 }
 
 template <int dim>
-Weights in_space(const Cloud<dim>& cloud, Index number, const InSpace& how) {
+Weights in_space(const particles::Points<dim>& points, Index number, const InSpace& how) {
     const auto& chosen = how.formulation<dim>();
-    const auto [smoothing, delta] = how.on(cloud);
-    require_particle(number, cloud.size());
-    const auto found = [&, &smoothing = smoothing] {
-        const py::gil_scoped_release others_run;
-        return particles::assemble(cloud, smoothing, chosen.required(),
-                                   particles::CloudRule<dim>(chosen.weights), {number, number + 1});
-    }();
+    require_particle(number, points.cols());
+    const auto [found, delta] = while_others_run([&] {
+        const Cloud<dim> cloud(points);
+        const auto smoothing = how.on(cloud);
+        return std::pair(particles::assemble(cloud, smoothing, how.required<dim>(),
+                                             particles::CloudRule<dim>(chosen.weights), {number, number + 1}),
+                         smoothing.h(number) / how.smoothing);
+    });
     const Eigen::ArrayXi near = row_of(found.D[0], 0).columns;
     Offsets<double, dim> r(near.size(), dim);
-    for (Index k = 0; k < near.size(); ++k)
-        r.row(k) = (cloud.x().col(near[k]) - cloud.x().col(number)).transpose();
+    for (Index k = 0; k < near.size(); ++k) r.row(k) = (points.col(near[k]) - points.col(number)).transpose();
     Weights all{array_of_numbers(near), array_of_offsets<dim>(r), {}, {}, {}};
     static constexpr auto known = particles::monomials<dim, 2>();
     for (std::size_t k = 1; k < known.size(); ++k)
-        add<dim>(all, known[k], row_of(particles::derivative(found, known[k]), 0).values, r,
-                 delta[delta.size() == 1 ? 0 : number], k <= dim ? chosen.exact.first : chosen.exact.second);
+        add<dim>(all, known[k], row_of(particles::derivative(found, known[k]), 0).values, r, delta,
+                 k <= dim ? chosen.exact.first : chosen.exact.second);
     return all;
 }
 
 }  // namespace
 
 void define_weights(py::module_& module) {
-    py::class_<Weights>(module, "Weights", about_class)
+    py::class_<Weights>(module, "Weights", about_weights)
         .def_readonly("particles", &Weights::particles)
         .def_readonly("offsets", &Weights::offsets)
         .def_readonly("weights", &Weights::weights)
         .def_readonly("moments", &Weights::moments)
-        .def_readonly("quality", &Weights::quality);
-    module.def("weights", &on_a_line, about_line, "formulation"_a, "x"_a, "number"_a, py::kw_only(),
-               "kernel"_a = "gaussian", "smoothing"_a = 1.0, "smoothing_from"_a = "mean",
-               "volumes"_a = "equal");
-    module.def(
-        "weights",
-        [](const py::object& points, Index number, const std::string& scheme, std::optional<int> degree,
-           const std::optional<std::string>& kernel, double smoothing, const py::object& smoothing_from) {
-            const InSpace how{scheme, degree, kernel, smoothing, smoothing_from};
-            return in_its_dimension(points, [&](const auto& cloud) { return in_space(cloud, number, how); });
-        },
-        about_space, "points"_a, "number"_a, py::kw_only(), "scheme"_a = "fpm", "degree"_a = py::none(),
-        "kernel"_a = py::none(), "smoothing"_a = 1.2, "smoothing_from"_a = "local");
+        .def_readonly("quality", &Weights::quality)
+        .def("__repr__", [](const Weights& row) {
+            return "Weights of the particles " + std::string(py::str(row.particles));
+        });
+    module.def("weights_on_a_line", &on_a_line);
+    module.def("weights_in_space",
+               [](const py::object& points, const py::object& of, const py::args& keywords) {
+                   const InSpace how(keywords);
+                   const Index number = integer(of, "number");
+                   return in_its_dimension(points, [&](const auto& x) { return in_space(x, number, how); });
+               });
 }
 
 }  // namespace python

@@ -252,6 +252,18 @@ TEST_CASE("operators: weights that are not finite are refused with formulation, 
                 FailedComputation);
 }
 
+TEST_CASE("operators: a derivative of a derivative beyond double precision is refused with its particle") {
+    const Column<double> x = 1e-160 * Column<double>::LinSpaced(12, 0, 11);
+    const Line<double> line = line_at(x, Volumes::equal);
+    const Smoothing<double> smoothing(Gaussian{}, line.spacing());
+    for (const auto& formulation : formulations())
+        CHECK_THROWS_AS(static_cast<void>(formulation.operators(line, smoothing)), FailedComputation);
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(asprone2010::formulation_named<double>("fpm").operators(line, smoothing)),
+        "fpm: at particle 0 (x = 0) the weights of the second derivative are not finite; take another unit of length",
+        FailedComputation);
+}
+
 TEST_CASE("operators: as many smoothing lengths as particles are needed, and as many values") {
     const auto [line, smoothing] = particles_of(30, {});
     const auto& formulation = asprone2010::formulation_named<double>("fpm");

@@ -1,0 +1,84 @@
+#include "command_line/body_judgement.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "tests/bodies.hpp"
+#include "tests/remedies.hpp"
+#include "tests/ring.hpp"
+
+using namespace bodies;
+using batra2008::elastostatics::Plane;
+using command_line::Judgement;
+using command_line::SolvedBody;
+
+namespace {
+
+/// What is said of a square that is clamped on the left and sheared on the right.
+std::vector<std::string> remarks_on_sheared(Method method) {
+    const Body<2> body = support::block<2>({{10, 10}});
+    Problem<2, 2> problem{elasticity<2>({1, 0.3})};
+    const auto zero = [](const Point<2>&) { return 0.0; };
+    problem.given = {{"left", {zero, zero}}, {"right"}};
+    problem.given[1].loads.push_back([](const Point<2>&, const Point<2>&) { return Values<2>(0, 1); });
+    Discretisation how;
+    how.method = method;
+    const auto solution = solve(problem, body, how);
+    const SolvedBody<2, 2> all{problem, body, solution, {1, 0.3}};
+    return command_line::remarks(all, command_line::judgement(all), how.degree, "THIS");
+}
+
+}  // namespace
+
+TEST_CASE("body judgement: a solution far out of equilibrium is refused with its method, forces and remedy") {
+    const std::string refused = support::refusal([] { return remarks_on_sheared(Method::strong); });
+    CAPTURE(refused);
+    CHECK(refused.starts_with("strong: loads and reactions leave a defect of "));
+    CHECK(refused.find("; loads right (0, 1), reactions left (") != std::string::npos);
+    CHECK(refused.ends_with("; take THIS"));
+}
+
+TEST_CASE("body judgement: stresses that miss the given loads have a remark, and a good solution has none") {
+    const Body<2> body = support::quarter_ring(24);
+    Problem<2, 2> problem = support::lame();
+    Discretisation how;
+    how.method = Method::hats;
+    for (const double nu : {0.3, 0.499}) {
+        problem.equation = elasticity<2>({1, nu, Plane::strain});
+        const auto solution = solve(problem, body, how);
+        const SolvedBody<2, 2> all{problem, body, solution, {1, nu, Plane::strain}};
+        const Judgement<2> judged = command_line::judgement(all);
+        const auto remarks = command_line::remarks(all, judged, how.degree, "");
+        const bool missed = std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+            return remark.starts_with("hats: the stresses at the boundary miss the given loads by ");
+        });
+        CHECK(missed == (nu > 0.4));
+        if (nu < 0.4) CHECK(remarks.empty());
+        const auto numbers = command_line::quantities<2>(judged);
+        const auto named = std::find_if(numbers.begin(), numbers.end(),
+                                        [](const auto& number) { return number.name == "missed_loads"; });
+        REQUIRE(named != numbers.end());
+        CHECK(named->value == judged.missed_loads);
+    }
+}
+
+TEST_CASE("body judgement: monomials of a lower degree than asked for have a remark") {
+    const Body<2> body = support::block<2>({{6, 6}});
+    Problem<2, 1> problem{diffusion<2>([](const Point<2>&) { return 1.0; })};
+    problem.given = {{"left", {[](const Point<2>& x) { return x[1]; }}}};
+    Discretisation how;
+    how.method = Method::hats;
+    const auto solution = solve(problem, body, how);
+    const SolvedBody<2, 1> all{problem, body, solution, {1, 0}};
+    const Judgement<1> judged = command_line::judgement(all);
+    const auto says = [&](int degree) {
+        const auto remarks = command_line::remarks(all, judged, degree, "");
+        return std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+            return remark.starts_with(
+                "hats: monomials of degree 2, since the particles determine those of degree 3");
+        });
+    };
+    CHECK(says(3));
+    CHECK_FALSE(says(2));
+}
