@@ -76,7 +76,19 @@ struct Forces {
     Integral<n> load;      ///< that is given
     Integral<n> reaction;  ///< the solution's own load where a value is given
     double parts = 0;  ///< the sizes of what is subtracted in a load, such as a u0 and a u, as an integral
+    double area = 0;   ///< of the side
 };
+
+/// A solution that hardly varies has nothing but round-off in F; this is its share of size_of_terms().
+constexpr double negligible = 1e-9;
+
+/// The size of the terms whose sum is F.
+template <int dim, int n>
+double size_of_terms(const Problem<dim, n>& problem, const Body<dim>& body,
+                     const Solution<dim, n>& solution) {
+    return problem.equation.A(body.x.col(0)).norm() * solution.u.cwiseAbs().maxCoeff() /
+           solution.approximation.cloud().spacing();
+}
 
 template <int dim, int n>
 Forces<n> forces_on(const Given<dim, n>& given, const Problem<dim, n>& problem, const Body<dim>& body,
@@ -85,6 +97,7 @@ Forces<n> forces_on(const Given<dim, n>& given, const Problem<dim, n>& problem, 
     for (const auto& at : rule_on(side_named(body, given.side), solution.approximation.cloud().spacing())) {
         const State<dim, n> state = state_at(problem, solution, at.x);
         const auto [applied, valued] = acting<dim, n>(&given, at, state.u);
+        all.area += at.weight;
         all.load.add(at.weight, applied - valued * applied);
         all.reaction.add(at.weight, valued * (state.F * at.normal));
         if (given.exchange)
@@ -113,13 +126,14 @@ Forces<n> forces_in(const Body<dim>& body, const Problem<dim, n>& problem, const
 struct Sizes {
     double loads = 0, reactions = 0;  ///< the latter of each side as a whole
     double reaction_integrals = 0, parts = 0;
+    double terms = 0;  ///< size_of_terms() as an integral
 
-    /// Where nothing is left but differences, their sum is round-off of its parts.
+    /// Where nothing is left but differences, their sum is round-off of its parts, or of the terms of F.
     [[nodiscard]] double total(bool is_scalar) const {
-        constexpr double round_off = 1e-6;
+        constexpr double round_off = 1e-6, of_terms = 1e-11;
         const bool may_cancel = is_scalar || loads == 0;
         return std::max(loads + (may_cancel ? reaction_integrals : reactions),
-                        round_off * (parts + reaction_integrals));
+                        std::max(round_off * (parts + reaction_integrals), of_terms * terms));
     }
 };
 
@@ -132,10 +146,11 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
     if (of_hats) consistent = consistent_reactions(problem, body, solution);
     Balance<n> all;
     Sizes sizes;
+    const double terms = size_of_terms(problem, body, solution);
     Values<n> sum = Values<n>::Zero();
     for (std::size_t k = 0; k < problem.given.size(); ++k) {
         const Given<dim, n>& given = problem.given[k];
-        const auto [load, integral, parts] = forces_on(given, problem, body, solution);
+        const auto [load, integral, parts, area] = forces_on(given, problem, body, solution);
         const Values<n> reaction = of_hats ? consistent[k] : integral.vector;
         if (!given.loads.empty() || given.exchange) all.loads.emplace_back(given.side, load.vector);
         if (reaction.stableNorm() > 0) all.reactions.emplace_back(given.side, reaction);
@@ -144,8 +159,9 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
         sizes.reactions += reaction.stableNorm();
         sizes.reaction_integrals += integral.size;
         sizes.parts += parts;
+        sizes.terms += terms * area;
     }
-    const auto [volume, none, parts] = forces_in(body, problem, solution);
+    const auto [volume, none, parts, area] = forces_in(body, problem, solution);
     all.volume = volume.vector;
     sum += volume.vector;
     sizes.loads += volume.size;
@@ -167,10 +183,9 @@ double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const
             sizes += at.weight * state.F.squaredNorm();
             length += at.weight;
         }
-    constexpr double round_off = 1e-9;  // a solution that hardly varies has nothing but round-off in F
-    const double of_values = problem.equation.A(body.x.col(0)).norm() * solution.u.cwiseAbs().maxCoeff() /
-                             solution.approximation.cloud().spacing();
-    return std::sqrt(sizes / length) > round_off * of_values ? std::sqrt(missed / sizes) : 0;
+    return std::sqrt(sizes / length) > negligible * size_of_terms(problem, body, solution)
+               ? std::sqrt(missed / sizes)
+               : 0;
 }
 
 template <int dim, int n>
@@ -192,20 +207,60 @@ double noise(const Solution<dim, n>& solution) {
     return size > 0 ? unseen.maxCoeff() / size : 0;
 }
 
+template <int dim, int n>
+std::vector<Index> across_gaps(const Body<dim>& body, const Solution<dim, n>& solution) {
+    if (body.cells.empty()) return {};
+    const auto N = static_cast<std::size_t>(body.x.cols());
+    std::vector<std::vector<int>> joined(N);
+    for (const auto& cell : body.cells)
+        for (const int a : cell)
+            for (const int b : cell)
+                if (a != b) joined[static_cast<std::size_t>(a)].push_back(b);
+    std::vector<char> across(N, 0);
+    base::for_each_index(body.x.cols(), [&](Index I) {
+        const std::vector<int> near = solution.approximation.neighbours(I);
+        std::vector<char> reached(near.size(), 0);
+        std::vector<int> next{static_cast<int>(I)};
+        std::size_t count = 0;
+        while (!next.empty()) {
+            const int a = next.back();
+            next.pop_back();
+            for (const int b : joined[static_cast<std::size_t>(a)]) {
+                const auto found = std::lower_bound(near.begin(), near.end(), b);
+                if (found == near.end() || *found != b) continue;
+                char& known = reached[static_cast<std::size_t>(found - near.begin())];
+                if (known) continue;
+                known = 1;
+                ++count;
+                next.push_back(b);
+            }
+        }
+        across[static_cast<std::size_t>(I)] = count < near.size() ? 1 : 0;
+    });
+    std::vector<Index> all;
+    for (std::size_t I = 0; I < N; ++I)
+        if (across[I]) all.push_back(static_cast<Index>(I));
+    return all;
+}
+
 template Balance<1> balance(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
 template double missed_loads(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
 template double noise(const Solution<2, 1>&);
+template std::vector<Index> across_gaps(const Body<2>&, const Solution<2, 1>&);
 
 template Balance<1> balance(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
 template double missed_loads(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
 template double noise(const Solution<3, 1>&);
+template std::vector<Index> across_gaps(const Body<3>&, const Solution<3, 1>&);
 
 template Balance<2> balance(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
 template double missed_loads(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
 template double noise(const Solution<2, 2>&);
+template std::vector<Index> across_gaps(const Body<2>&, const Solution<2, 2>&);
 
 template Balance<3> balance(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
 template double missed_loads(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
 template double noise(const Solution<3, 3>&);
+template std::vector<Index> across_gaps(const Body<3>&, const Solution<3, 3>&);
 
 }  // namespace bodies

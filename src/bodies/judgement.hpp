@@ -34,6 +34,12 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
 template <int dim, int n>
 double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
 
+/// The particles that see others across a gap: no edges of cells lead from the one to the other among its
+/// neighbours, as where a slot is narrower than the kernel's support. Their equations do not know of the gap.
+/// None of a body without cells.
+template <int dim, int n>
+std::vector<Index> across_gaps(const Body<dim>& body, const Solution<dim, n>& solution);
+
 /// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
 template <int dim, int n>
 double noise(const Solution<dim, n>& solution);

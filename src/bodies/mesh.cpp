@@ -18,8 +18,6 @@ using base::InvalidInput;
 using particles::negligible;
 using particles::shown_point;
 
-namespace {
-
 template <int dim>
 void check_cells(const Mesh<dim>& mesh) {
     if (mesh.cells.empty())
@@ -33,9 +31,14 @@ void check_cells(const Mesh<dim>& mesh) {
         const Edges<dim> all = edges(mesh, cell);
         if (!(std::abs(all.determinant()) > negligible * std::pow(all.colwise().norm().maxCoeff(), dim)))
             throw InvalidInput("the cell at " + shown_point(middle(mesh, cell)) + " has no " +
-                               (dim == 2 ? "area" : "volume") + "; remove it, or mesh anew");
+                               (dim == 2 ? "area; remove it, or mesh anew" : "volume; mesh anew"));
     }
 }
+
+template void check_cells(const Mesh<2>&);
+template void check_cells(const Mesh<3>&);
+
+namespace {
 
 /// The number of a place along Morton's curve, which fills the unit cube: bits of the coordinates in turn.
 template <int dim>

@@ -26,6 +26,11 @@ struct Mesh {
     std::vector<Patch<dim>> patches;
 };
 
+/// \throws base::InvalidInput for a mesh without cells, positions that are not finite, and a cell without area
+///         or volume
+template <int dim>
+void check_cells(const Mesh<dim>& mesh);
+
 /// The body that a mesh fills. Its particles are the nodes of the cells, neighbours near to each other in
 /// memory; its boundary is the facets of one cell only. A place has the normal of the shape where that is
 /// known. Elsewhere it is the mean over the pieces that meet there at less than 40 degrees, with the weights

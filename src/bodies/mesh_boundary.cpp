@@ -1,13 +1,16 @@
 #include "bodies/mesh_boundary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/errors.hpp"
+#include "particles/cells.hpp"
 
 namespace bodies {
 
@@ -71,6 +74,34 @@ std::vector<Outer<dim>> outer_facets(const Mesh<dim>& mesh, const std::vector<Fa
         first = last;
     }
     return outer;
+}
+
+/// \throws InvalidInput where another cell lies behind a facet of one cell only
+template <int dim>
+void check_uncovered(const Mesh<dim>& mesh, const std::vector<Outer<dim>>& outer) {
+    constexpr double just = 1e-6;
+    Points<dim> outside(dim, static_cast<Index>(outer.size()));
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+        const Point<dim> normal = area(mesh, outer[k].nodes);
+        const double size = std::pow(normal.norm(), 1.0 / (dim - 1));
+        outside.col(static_cast<Index>(k)) = middle(mesh, outer[k].nodes) + just * size * normal.normalized();
+    }
+    const particles::Cells<dim> near(outside);
+    int first = static_cast<int>(outer.size());
+    for (const auto& cell : mesh.cells) {
+        const Point<dim> centre = middle(mesh, cell);
+        const Edges<dim> all = edges(mesh, cell), inverse = all.inverse();
+        double reach = 0;
+        for (const int node : cell) reach = std::max(reach, (at(mesh, node) - centre).norm());
+        near.for_each_within(centre, reach, [&](int k, double) {
+            const Point<dim> share = inverse * (outside.col(k) - at(mesh, cell[0]));
+            if (share.minCoeff() > 0 && share.sum() < 1) first = std::min(first, k);
+        });
+    }
+    if (first < static_cast<int>(outer.size()))
+        throw InvalidInput("behind the facet at " +
+                           shown_point(middle(mesh, outer[static_cast<std::size_t>(first)].nodes)) +
+                           " lies a cell that does not share it: cells must fit together; mesh anew");
 }
 
 const char* kind(int dim) {
@@ -153,6 +184,7 @@ template <int dim>
 std::vector<Outer<dim>> boundary_of(const Mesh<dim>& mesh) {
     const std::vector<Facet<dim>> facets = facets_of(mesh);
     std::vector<Outer<dim>> outer = outer_facets(mesh, facets);
+    check_uncovered(mesh, outer);
     assign(mesh, facets, outer);
     if (std::any_of(mesh.patches.begin(), mesh.patches.end(),
                     [](const Patch<dim>& patch) { return !patch.sides.empty(); }))

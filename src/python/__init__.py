@@ -14,8 +14,10 @@ other threads of Python run. OMP_NUM_THREADS is the number of its own threads.
 """
 
 import csv
+import os
 import pathlib
 import subprocess
+import warnings
 
 import numpy
 
@@ -34,9 +36,12 @@ def operators(*arguments, **keywords):
       formulation     original, chen_beraun, rkpm_first_order, rkpm_second_order, fpm, modified_fpm,
                       second_order_fpm; or ssph, of Batra and Zhang (2008), or definite_fpm, our own
       x               positions in increasing order, shape (N,) [length]
-      kernel          gaussian, cubic_spline, quintic_spline, ... (the refusal of a wrong name has all)
+      kernel          gaussian, cubic_spline, quintic_spline, wendland_c2 or wendland_c4; those after the first need a
+                      larger smoothing, such as 1.6
       smoothing       smoothing length h over the spacing
-      smoothing_from  the spacing: mean, largest, local, nearest, K-nearest, a length, or N lengths
+      smoothing_from  the spacing: mean, largest (between neighbours), local (each particle's, to the farther of its
+                      two neighbours), nearest, K-nearest (to the farthest of the K nearest, such as 6-nearest),
+                      a length, or N lengths
       volumes         of the particles: equal, or partition (their cells)
     Returns (D, D2), scipy.sparse.csr_matrix of shape (N, N) [1/length, 1/length^2].
 
@@ -44,9 +49,11 @@ def operators(*arguments, **keywords):
 
     In the plane or in space.
       points          positions in any order, shape (N, 2) or (N, 3) [length]
-      scheme          fpm, the second-order FPM, or ssph, the SSPH basis of Batra and Zhang (2008)
+      scheme          fpm or second_order_fpm, the second-order FPM; or ssph, the SSPH basis of Batra and Zhang
       degree          of the monomials of ssph: 2 (default) or 3
       kernel          as on a line; by default a Gaussian that is lowered to zero at 3.5 h, in space at 3 h
+      smoothing_from  local is each particle's distance to the farthest of its 4 nearest, in space 6; mean, the
+                      distance on a grid of as many points, suits points that lie equally close everywhere
     Returns a dict from the multi-index of a derivative to its csr_matrix: with the values B at the points,
     D[1, 0] @ B is dB/dx [1/length] and D[1, 1] @ B is d2B/dxdy [1/length^2].
 
@@ -130,15 +137,19 @@ def solve(points, cells, sides=None, *, at=None, smoothing_from="local", **probl
                              traction={"tip": (0, -1e6)}, pressure={"bore": 5e6}
       equation="poisson"     -div(k grad u) + c u = f: conductivity=, source=, reaction=,
                              value={"wall": 0}, flux={"base": 1e4}, convection={"fins": (50, 293)}
-      methods                method="hats", "fpm", "strong", "weak1" or "weak2", degree=, scaling=, gauss=,
-                             penalty=, smoothing=, smoothing_from= (a name, a length, or N lengths)
+      method="hats"          or "fpm", "strong", "weak1", "weak2". Of all but fpm: degree=2 (of hats in the plane
+                             3), scaling=3; of the weak forms and hats: gauss=10, penalty=1; of fpm: smoothing=1.2.
+                             smoothing_from is a name, a length, or N lengths
 
-    A side on which nothing is given is free of loads, or insulated.
+    A flux is what enters, a pressure pushes, and convection=(a, u0) is the flux a (u0 - u). A side on which nothing
+    is given is free of loads, or insulated. Texts know x, y, z, pi, e, + - * / ^ ( ), sqrt, exp, log, abs, min, max,
+    sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, atan2 and hypot.
 
     Returns (fields, numbers). fields is a structured array, a row for each place: x, y(, z), then u1, u2(, u3),
-    s11, s22, ... and von_mises, or u and the flux of heat q1, q2(, q3). numbers is a dict: the largest ones, the
-    loads and reactions, and what tells of errors: quality, noise, missed_loads, defect. What is wrong with them
-    is a warning, too; where the forces are far from equilibrium it is a RuntimeError.
+    s11, s22, ... and von_mises, or u and the flux of heat q1, q2(, q3). numbers is a dict: max_displacement and
+    max_von_mises, or max_u and min_u; the forces load1:SIDE, reaction1:SIDE and volume1 (of the body force or
+    source); and what tells of errors: quality, noise, missed_loads, defect. What is wrong with them is a warning,
+    too; where the forces are far from equilibrium it is a RuntimeError.
     """
     return core.solve(points, cells, sides, at, smoothing_from, problem)
 
@@ -147,7 +158,8 @@ def table(program, **options):
     """What a program of the package prints, as a structured array: a test, an example problem, a stencil.
 
     Its options are keywords: --smoothing-from local is smoothing_from="local", and a list is particles=[20, 40].
-    A flag is quality=True. table("derivative_test", help=True) prints all of them.
+    A flag is quality=True. table("derivative_test", help=True) prints all of them. Where some cases fail, a warning
+    says so, and the last column of their rows why.
 
     >>> errors = table("derivative_test", formulation="second_order_fpm", particles=[20, 40, 80])
     >>> errors["error_second"]
@@ -159,18 +171,22 @@ def table(program, **options):
     arguments = [text for name, value in options.items() for text in _arguments(name, value)]
     done = subprocess.run([programs / program, *arguments], capture_output=True, text=True)
     if done.returncode != 0:
-        said = done.stderr.strip().replace(f"see {program} --help", f'see table("{program}", help=True)')
-        raise (ValueError if done.returncode == 2 else RuntimeError)(core.in_python(said))
+        said = core.in_python(done.stderr.strip().replace(f"see {program} --help", f'see table("{program}", help=True)'))
+        if done.returncode < 0:
+            said = f"{program} was ended by signal {-done.returncode}"
+        if done.returncode < 0 or not done.stdout:
+            raise (ValueError if done.returncode == 2 else RuntimeError)(said)
+        warnings.warn(said, stacklevel=2)
     if options.get("help") or options.get("version"):
         return print(done.stdout)
-    if "output" in options:
+    if options.get("output") is not None:
         return read_table(options["output"])
     return _structured(program, done.stdout.splitlines(keepends=True))
 
 
 def read_table(path):
     """A table of the package, such as data/asprone2010/figure_1.csv: a structured array, empty cells nan."""
-    with open(path, encoding="utf-8", newline="") as file:
+    with open(path, encoding="utf-8-sig", newline="") as file:
         return _structured(path, file)
 
 
@@ -179,6 +195,8 @@ def _arguments(name, value):
     option = "--" + name.replace("_", "-")
     if value is None or isinstance(value, (bool, numpy.bool_)):
         return [option] if value else []
+    if isinstance(value, bytes):
+        value = os.fsdecode(value)
     if numpy.iterable(value) and not isinstance(value, str):
         value = ",".join(map(str, value))
     return [f"{option}={value}"]
@@ -186,9 +204,11 @@ def _arguments(name, value):
 
 def _structured(source, lines):
     """The rows of a CSV below its comments; an error names the source and the row."""
-    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
     if not rows:
         raise ValueError(f"{source} holds no table")
+    if "" in rows[0] or len(set(rows[0])) < len(rows[0]):
+        raise ValueError(f"{source}: two columns have one name, or one has none")
     for number, row in enumerate(rows):
         if len(row) != len(rows[0]):
             raise ValueError(f"{source}: row {number} has {len(row)} cells, and the head has {len(rows[0])}")

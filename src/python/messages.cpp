@@ -11,7 +11,7 @@ std::string in_python(const std::string& message) {
 
     // An option, and behind it a name, a number, a text in quotes, or letters that stand for a value.
     static const std::regex option(
-        R"re(--([a-z][a-z0-9-]*)(?: (?:(local|largest|[0-9]+-nearest|hats|fpm|poisson|elasticity|stress|strain)\b|("[^"]*"|-?[0-9][^\s,;)]*|[A-Z][A-Z0-9]*\b)))?)re");
+        R"re(--([A-Za-z][A-Za-z0-9-]*)(?: (?:(local|largest|[0-9]+-nearest|hats|fpm|poisson|elasticity|stress|strain)\b|("[^"]*"|-?[0-9][^\s,;)]*|[A-Z][A-Z0-9]*\b)))?)re");
     std::string text;
     auto rest = said.cbegin();
     bool after_value = false;
@@ -27,7 +27,13 @@ std::string in_python(const std::string& message) {
         after_value = match[2].matched || match[3].matched;
         rest = match[0].second;
     }
-    return text.append(rest, said.cend());
+    text.append(rest, said.cend());
+
+    // What is given on a side is an entry of a dict.
+    static const std::regex on_side("=\"(?:NAME|A\\+B): ([^\"]*)\"");
+    static const std::regex several("=\\{\"NAME\": ([^}]*,[^}]*)\\}");
+    return std::regex_replace(std::regex_replace(text, on_side, "={\"NAME\": $1}"), several,
+                              "={\"NAME\": ($1)}");
 }
 
 }  // namespace python

@@ -47,7 +47,8 @@ asprone2010::numerical_tests::Particles<double> OnLine::at(const Column<double>&
 
 template <int dim>
 const fpm_in_space::Formulation<double, dim>& InSpace::formulation() const {
-    const bool ssph = base::choose<bool>("scheme", scheme, {{"fpm", false}, {"ssph", true}});
+    const bool ssph =
+        base::choose<bool>("scheme", scheme, {{"fpm", false}, {"second_order_fpm", false}, {"ssph", true}});
     if (!ssph && degree)
         throw InvalidInput("degree belongs to the scheme ssph; fpm takes the monomials up to degree 3");
     if (degree && *degree != 2 && *degree != 3)

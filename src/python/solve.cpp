@@ -1,10 +1,14 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <regex>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "bodies/mesh_boundary.hpp"
 #include "command_line/body_judgement.hpp"
 #include "command_line/body_options.hpp"
@@ -29,21 +33,48 @@ void warn(const std::string& remark) {
     if (PyErr_WarnEx(PyExc_UserWarning, in_python(remark).c_str(), 2) != 0) throw py::error_already_set();
 }
 
-/// An argument as the command line has it: 1.5, (0, None) and "x^2" are "1.5", "0, -" and "x^2".
-std::string text_of(const py::handle& value) {
-    if (py::isinstance<py::str>(value)) return py::cast<std::string>(value);
+/// An argument as the command line has it: 1.5, (0, None) and "x^2" are "1.5", "0, -" and "x^2";
+/// a power may be written as Python does, "x**2".
+std::string text_of(const std::string& keyword, const py::handle& value) {
     if (value.is_none()) return "-";
+    if (py::isinstance<py::str>(value)) {
+        const auto text = py::cast<std::string>(value);
+        if (text.empty() || text.find('\0') != std::string::npos)
+            throw InvalidInput(keyword + " has an empty text, or one with a zero byte");
+        return std::regex_replace(text, std::regex("[*][*]"), "^");
+    }
     if (py::isinstance<py::bool_>(value)) return py::str(value);
     if (is_integer(value)) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
-    if (py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value)) {
+    const bool has_entries = py::hasattr(value, "__len__") && !is_number(value);
+    if (has_entries) {
         std::string all;
-        for (const py::handle& entry : value) all += (all.empty() ? "" : ", ") + text_of(entry);
+        for (const py::handle& entry : value) all += (all.empty() ? "" : ", ") + text_of(keyword, entry);
         return all;
     }
-    if (!is_number(value))
-        throw InvalidInput(std::string(py::repr(value)) +
+    if (!py::hasattr(value, "__float__"))
+        throw InvalidInput(keyword + ": " + std::string(py::repr(value)) +
                            " is no number and no function; write functions as a text, such as \"1 + x^2\"");
-    return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
+    const py::float_ number(py::reinterpret_borrow<py::object>(value));
+    if (!std::isfinite(static_cast<double>(number)))
+        throw InvalidInput(keyword + " must be finite, got " + base::shown(static_cast<double>(number)));
+    return py::repr(number);
+}
+
+/// What one keyword says to the options of the command line: one, or one for each side or name.
+std::vector<std::string> texts_of(const std::string& keyword, const py::handle& value) {
+    static const std::set<std::string> of_sides{"fix",   "symmetry", "displacement", "traction", "pressure",
+                                                "value", "flux",     "convection",   "corner"};
+    std::vector<std::string> all;
+    if (py::isinstance<py::dict>(value)) {
+        for (const auto& [side, given] : py::cast<py::dict>(value))
+            all.push_back(text_of(keyword, py::str(side)) + ": " + text_of(keyword, given));
+    } else if (of_sides.contains(keyword) && py::hasattr(value, "__iter__") &&
+               !py::isinstance<py::str>(value)) {
+        for (const py::handle& one : value) all.push_back(text_of(keyword, one));
+    } else {
+        all.push_back(text_of(keyword, value));
+    }
+    return all;
 }
 
 /// Keywords as arguments of a program.
@@ -59,15 +90,7 @@ std::vector<std::string> arguments(const py::dict& keywords) {
             throw InvalidInput("solve takes one method; call it for each");
         std::string option = "--" + keyword;
         std::replace(option.begin(), option.end(), '_', '-');
-        const bool names = py::isinstance<py::list>(value) && py::len(value) > 0 &&
-                           std::all_of(value.begin(), value.end(), py::isinstance<py::str>);
-        if (py::isinstance<py::dict>(value))
-            for (const auto& [side, given] : py::cast<py::dict>(value))
-                all.push_back(option + "=" + py::cast<std::string>(py::str(side)) + ": " + text_of(given));
-        else if (names)
-            for (const py::handle& name : value) all.push_back(option + "=" + text_of(name));
-        else
-            all.push_back(option + "=" + text_of(value));
+        for (const std::string& text : texts_of(keyword, value)) all.push_back(option + "=" + text);
     }
     return all;
 }
@@ -98,6 +121,9 @@ std::string named(const std::array<int, count>& facet) {
 
 template <int dim>
 Mesh<dim> mesh_of(const Numbers& points, const py::object& cells) {
+    if (const auto any = py::array::ensure(cells); dim == 3 && any && any.ndim() == 2 && any.shape(1) == 3)
+        throw InvalidInput(
+            "cells are triangles, and points are in space; for a body in the plane take points[:, :2]");
     Mesh<dim> mesh{
         points_of<dim>(points), numbers_of_particles<dim + 1>(cells, "cells", points.shape(0)), {}};
     std::vector<bool> used(static_cast<std::size_t>(points.shape(0)), false);
@@ -106,6 +132,7 @@ Mesh<dim> mesh_of(const Numbers& points, const py::object& cells) {
     for (Index k = 0; k < mesh.x.cols(); ++k)
         if (!mesh.x.col(k).allFinite())
             throw InvalidInput("point " + std::to_string(k) + " is not at a finite position");
+    bodies::check_cells(mesh);
     if (const auto lost = std::find(used.begin(), used.end(), false); lost != used.end())
         throw InvalidInput(
             "point " + std::to_string(lost - used.begin()) +
@@ -128,6 +155,9 @@ void name_sides(Mesh<dim>& mesh, const py::dict& sides) {
         const std::string side = py::cast<std::string>(py::str(key)), argument = "sides['" + side + "']";
         if (side.empty()) throw InvalidInput("a side needs a name");
         const auto facets = numbers_of_particles<dim>(value, argument, mesh.x.cols());
+        if (facets.empty())
+            throw InvalidInput(argument +
+                               " has no facets; to choose them by their places, allow for round-off");
         for (std::size_t k = 0; k < facets.size(); ++k) {
             Nodes<dim> sorted = facets[k];
             std::sort(sorted.begin(), sorted.end());

@@ -166,3 +166,50 @@ TEST_CASE("judgement: reactions that cancel on the one side of a body have a def
         CHECK(balance(stretched, body, solve(stretched, body, how)).defect < 1e-9);
     }
 }
+
+TEST_CASE("judgement: a body of one temperature, or one that only moves, has no defect that counts") {
+    const Body<2> body = block<2>({{8, 8}, 0.15, 1});
+    Problem<2, 1> warm{diffusion<2>([](const Point<2>&) { return 200.0; })};
+    warm.given = {{"left", {[](const Point<2>&) { return 293.15; }}}};
+    Problem<2, 2> turned{elasticity<2>({210e9, 0.3})};
+    turned.given = {{"left",
+                     {[](const Point<2>& x) { return 1 - 0.01 * x[1]; },
+                      [](const Point<2>& x) { return 2 + 0.01 * x[0]; }}}};
+    for (const Method method : {Method::hats, Method::fpm, Method::strong, Method::weak1, Method::weak2}) {
+        INFO(name(method));
+        Discretisation how = by(method);
+        how.penalty = 1e8;
+        CHECK(balance(warm, body, solve(warm, body, how)).defect < 0.01);
+        how.penalty = 1e16;
+        CHECK(balance(turned, body, solve(turned, body, how)).defect < 0.01);
+    }
+}
+
+TEST_CASE(
+    "judgement: particles see across a slot that is narrower than their support, and not across a wide one") {
+    // Rows of squares, some of them left out.
+    const auto slotted = [](int n, int rows) {
+        Mesh<2> mesh{Points<2>(2, (n + 1) * (n + 1)), {}, {}};
+        for (int k = 0; k < mesh.x.cols(); ++k) mesh.x.col(k) = Point<2>(k % (n + 1), k / (n + 1)) / n;
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                if (j >= n / 3 && j < n / 3 + rows && i > 3) continue;
+                const int a = j * (n + 1) + i, c = a + n + 1;
+                mesh.cells.push_back({a, a + 1, c + 1});
+                mesh.cells.push_back({a, c + 1, c});
+            }
+        return body_of(mesh);
+    };
+    Problem<2, 1> problem{diffusion<2>([](const Point<2>&) { return 1.0; })};
+    problem.given = {{"boundary", {[](const Point<2>& x) { return x[0]; }}}};
+    const auto across = [&](int rows, Method method) {
+        const Body<2> body = slotted(24, rows);
+        return across_gaps(body, solve(problem, body, by(method))).size();
+    };
+    CHECK(across(0, Method::fpm) == 0);
+    CHECK(across(3, Method::fpm) > 20);
+    CHECK(across(10, Method::fpm) == 0);
+    CHECK(across(2, Method::hats) > 20);
+    CHECK(across(10, Method::hats) == 0);
+    CHECK(across_gaps(quarter_ring(16), solve(lame(), quarter_ring(16), by(Method::fpm))).empty());
+}

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -253,4 +254,28 @@ TEST_CASE("mesh: what is no body is refused with its place and a remedy") {
         "cells overlap beside the facet at (0.5, 0.25); remove those that are there twice, or draw the union of the parts");
     CHECK(refusal(Mesh<2>{mesh.x, {mesh.cells[0], mesh.cells[0]}, {}})
               .starts_with("cells overlap beside the facet"));
+}
+
+TEST_CASE("mesh: tetrahedra that meet in crossed diagonals are refused, with the place") {
+    // Two cubes beside each other, each of six tetrahedra around a diagonal; the second one may be a mirror image.
+    const auto two_cubes = [](bool mirrored) {
+        Mesh<3> mesh{Points<3>(3, 12), {}, {}};
+        for (int k = 0; k < 12; ++k) mesh.x.col(k) = Point<3>(k % 3, k / 3 % 2, k / 6);
+        const std::array<int, 3> step{1, 3, 6};
+        for (int cube = 0; cube < 2; ++cube) {
+            const int first = cube == 1 && mirrored ? cube + step[1] : cube,
+                      y = first == cube ? step[1] : -step[1];
+            std::array<int, 3> ways{step[0], y, step[2]};
+            std::sort(ways.begin(), ways.end());
+            do
+                mesh.cells.push_back(
+                    {first, first + ways[0], first + ways[0] + ways[1], first + ways[0] + ways[1] + ways[2]});
+            while (std::next_permutation(ways.begin(), ways.end()));
+        }
+        return mesh;
+    };
+    CHECK(body_of(two_cubes(false)).sides[0].pieces.size() == 20);
+    const std::string refused = refusal(two_cubes(true));
+    CHECK(refused.starts_with("behind the facet at (1, "));
+    CHECK(refused.ends_with(" lies a cell that does not share it: cells must fit together; mesh anew"));
 }

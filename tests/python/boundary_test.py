@@ -3,6 +3,7 @@
 import unittest
 
 import numpy
+import scipy.spatial
 from numpy.testing import assert_allclose, assert_array_equal
 from particle_methods import boundary, solve
 
@@ -51,8 +52,17 @@ class Boundary(TestCase):
         with self.assertRaisesRegex(ValueError, r"^cells overlap beside the facet at \(.*\); remove those that are there twice, or draw the union of the parts$"):
             boundary(points, numpy.concatenate([cells, cells[:1]]))
 
+    def test_tetrahedra_that_do_not_fit_together_are_refused(self):
+        points, _ = cube(4)
+        cells = scipy.spatial.Delaunay(points).simplices
+        volumes = abs(numpy.linalg.det(points[cells[:, 1:]] - points[cells[:, :1]]))
+        with self.assertRaisesRegex(
+            ValueError, r"^behind the facet at \(.*\) lies a cell that does not share it: cells must fit together; mesh anew$"
+        ):
+            boundary(points, cells[volumes > 1e-9])
+
     def test_cells_of_another_dimension_are_refused(self):
-        with self.refuses("cells must have the shape (n, 4), got (18, 3)"):
+        with self.refuses("cells are triangles, and points are in space; for a body in the plane take points[:, :2]"):
             boundary(cube(3)[0], square(4)[1])
 
 

@@ -26,8 +26,8 @@ class InPython(TestCase):
             ("take --method hats or a finer mesh", 'take method="hats" or a finer mesh'),
             ("fix belongs to --equation elasticity;", 'fix belongs to equation="elasticity";'),
             ("try --plane strain.", 'try plane="strain".'),
-            ('write --pressure "NAME: 1"', 'write pressure="NAME: 1"'),
-            ('write --traction "NAME: 0, -1e6"; or', 'write traction="NAME: 0, -1e6"; or'),
+            ('write --pressure "NAME: 1"', 'write pressure={"NAME": 1}'),
+            ('write --traction "NAME: 0, -1e6"; or', 'write traction={"NAME": (0, -1e6)}; or'),
             ("SI units: --young 210e9 --poisson 0.3", "SI units: young=210e9, poisson=0.3"),
             ("for a scalar write --conductivity K", "for a scalar write conductivity=K"),
         ):

@@ -292,7 +292,7 @@ class InThePlaneAndInSpace(TestCase):
     def test_keywords_without_meaning_are_refused(self):
         x = cloud(6, 2)
         for keywords, text in (
-            ({"scheme": "rkpm"}, "there is no scheme 'rkpm'; choose one of fpm, ssph"),
+            ({"scheme": "rkpm"}, "there is no scheme 'rkpm'; choose one of fpm, second_order_fpm, ssph"),
             ({"degree": 2}, "degree belongs to the scheme ssph; fpm takes the monomials up to degree 3"),
             ({"scheme": "ssph", "degree": 4}, "degree must be 2 or 3, got 4"),
             ({"scheme": "ssph", "degree": 2.5}, "degree must be an integer, got 2.5"),

@@ -1,5 +1,7 @@
 """solve's keywords: which problem, which method, and where the solution is wanted."""
 
+import decimal
+import fractions
 import unittest
 import warnings
 
@@ -120,7 +122,7 @@ class Keywords(TestCase):
             ({"plane": "shell", **ELASTIC}, "plane: there is no 'shell'; choose one of stress, strain"),
             ({"equation": "heat"}, "equation: there is no 'heat'; choose one of elasticity, poisson"),
             ({"equation": "poisson", "fix": "wall"},
-             'fix belongs to equation="elasticity"; for a scalar write value="NAME: 0"'),
+             'fix belongs to equation="elasticity"; for a scalar write value={"NAME": 0}'),
             ({"fix": "wall", "colour": 1, **ELASTIC}, "there is no option 'colour'; see help(solve)"),
             ({"equation": "poisson", "value": {"wall": 0}, "degree": 7}, "degree must lie between 2 and 3, got 7"),
             ({"equation": "poisson", "value": {"wall": 0}, "gauss": 2.5}, "gauss: '2.5' is no whole number up to 1e15"),
@@ -140,7 +142,7 @@ class Keywords(TestCase):
                 solve(points, cells, sides, **keywords)
 
     def test_functions_of_python_are_refused_with_how_to_write_one(self):
-        with self.assertRaisesRegex(ValueError, r'^<function .*> is no number and no function; write functions as a text, such as "1 \+ x\^2"$'):
+        with self.assertRaisesRegex(ValueError, r'^value: <function .*> is no number and no function; write functions as a text, such as "1 \+ x\^2"$'):
             solve(*square(4), equation="poisson", value={"boundary": lambda x: x})
 
     def test_numbers_that_are_not_finite_are_refused(self):
@@ -148,6 +150,42 @@ class Keywords(TestCase):
             for keywords in {"source": bad}, {"conductivity": bad}, {"reaction": bad}:
                 with self.subTest(**keywords), self.assertRaises(ValueError):
                     solve(*square(4), equation="poisson", value={"boundary": 0}, **keywords)
+
+        with self.refuses("source must be finite, got nan"):
+            solve(*square(4), equation="poisson", value={"boundary": 0}, source=numpy.nan)
+
+    def test_numbers_of_any_kind_are_numbers(self):
+        expected, _ = solve(*square(4), equation="poisson", value={"boundary": 0.5})
+        for half in fractions.Fraction(1, 2), decimal.Decimal("0.5"), numpy.float32(0.5), numpy.array(0.5), "1/2":
+            with self.subTest(half=half):
+                assert_array_equal(solve(*square(4), equation="poisson", value={"boundary": half})[0], expected)
+
+    def test_a_power_may_be_written_as_python_does(self):
+        power, _ = solve(*square(4), equation="poisson", value={"boundary": "x^2-y^2"})
+        assert_array_equal(solve(*square(4), equation="poisson", value={"boundary": "x**2-y**2"})[0], power)
+
+    def test_names_of_sides_come_in_any_collection(self):
+        points, cells, sides = clamped(9)
+        expected, _ = solve(points, cells, sides, fix=["wall", "tip"], body_force=("x", 0), **ELASTIC)
+        for names in ("wall", "tip"), numpy.array(["wall", "tip"]), {"wall": 0, "tip": 0}.keys():
+            with self.subTest(names=names):
+                found, _ = solve(points, cells, sides, fix=names, body_force=("x", 0), **ELASTIC)
+                assert_array_equal(found, expected)
+
+    def test_empty_texts_are_refused(self):
+        for keywords in {"source": ""}, {"conductivity": "1\0"}:
+            with self.subTest(**keywords), self.assertRaisesRegex(ValueError, "has an empty text, or one with a zero byte$"):
+                solve(*square(4), equation="poisson", value={"boundary": 0}, **keywords)
+
+    def test_a_body_of_one_temperature_or_one_that_only_turns_has_no_warning(self):
+        points, cells, sides = clamped(9)
+        for method in "hats", "fpm", "strong", "weak1", "weak2":
+            with self.subTest(method=method):
+                warm, _ = solve(points, cells, sides, equation="poisson", value={"wall": 293.15}, method=method)
+                assert_allclose(warm["u"], 293.15, rtol=1e-6)
+                turned, _ = solve(points, cells, sides, displacement={"wall": ("-0.01*y", "0.01*x")}, young=210e9,
+                                  poisson=0.3, method=method)
+                assert_allclose(turned["u2"], 0.01 * points[:, 0], atol=1e-6)
 
     def test_options_of_the_program_alone_are_none_of_solve(self):
         for name, value in ("help", True), ("version", True), ("threads", 2), ("mesh", "a.geo"), ("output", "a.csv"):

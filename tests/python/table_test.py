@@ -126,6 +126,12 @@ class Options(TestCase):
         remedy = float(str(failure.exception).split("smoothing=")[1])
         self.assertEqual(len(table("derivative_test", smoothing=remedy, **options)), 1)
 
+    def test_where_some_cases_fail_a_warning_says_so_and_the_rows_say_why(self):
+        with self.assertWarnsRegex(UserWarning, "^plate: 1 of 2 cases failed, as the table's last column says"):
+            errors = table("plate", method="strong", particles="16x4", degree=[2, 3], scaling=3)
+        self.assertEqual(list(errors["failure"] == ""), [True, False])
+        self.assertTrue(numpy.isfinite(errors["log_error_nd"][0]))
+
 
 class Columns(TestCase):
     def test_a_column_holds_integers_numbers_or_texts(self):
