@@ -10,7 +10,7 @@ namespace bodies {
 /// of the load on a plane with normal n, \f$d\cdot t = g - a\,d\cdot u\f$.
 template <int dim, int n>
 struct Condition {
-    bool of_value;
+    bool of_value = false;
     Values<n> direction;
     Point<dim> normal;
     double given = 0;     ///< g

@@ -10,7 +10,7 @@ namespace bodies {
 template <int dim>
 struct IntegrationPoint {
     Point<dim> x;
-    double weight;
+    double weight = 0;
     Point<dim> normal = Point<dim>::Zero();  ///< unit outward normal, on the boundary
 };
 

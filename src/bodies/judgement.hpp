@@ -19,7 +19,7 @@ struct Balance {
     /// What is left of the sum, over half of the sizes: of the loads as an integral, and of the reactions.
     /// Those of a scalar, and those of a body without loads, are integrals, too, since they may cancel on a
     /// side.
-    double defect;
+    double defect = 0;
 };
 
 /// The loads and the reactions. Those of `hats` are what the equations of the particles leave, in equilibrium

@@ -13,8 +13,8 @@ struct Solution {
     Approximation<dim> approximation;
     Conditions<dim, n> conditions;  ///< of each particle
     Column<double> R;               ///< quality number of each particle's derivatives, particles::quality()
-    double quality;                 ///< R of the worst row
-    Index worst;                    ///< its particle
+    double quality = 0;             ///< R of the worst row
+    Index worst = 0;                ///< its particle
     Eigen::VectorXd u;              ///< n unknowns of each particle, neighbours of one another
 };
 

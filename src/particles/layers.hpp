@@ -36,7 +36,7 @@ std::string more_layers(const Cloud<dim>& cloud, int degree) {
 /// \param number of particles that are needed \param degree of the polynomials that they must determine
 template <int dim>
 std::string more_particles(const Cloud<dim>& cloud, Index number, int degree) {
-    if (const std::string more = more_layers(cloud, degree); dim > 1 && !more.empty()) return more;
+    if (std::string more = more_layers(cloud, degree); dim > 1 && !more.empty()) return more;
     if (cloud.size() >= number) return "";
     return "take at least " + std::to_string(number) + (dim > 1 ? " particles in all" : " particles");
 }

@@ -143,7 +143,7 @@ std::string more_particles(const Cloud<dim>& cloud, const Requirement& required)
 template <class Points, class Scalar, int dim, class Weights>
 std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index i,
                    const Requirement& required, const Weights& weights) {
-    if (const std::string more = more_particles(points, required); !more.empty()) return more;
+    if (std::string more = more_particles(points, required); !more.empty()) return more;
     const auto serves = [&](const Smoothing<Scalar, dim>& tried) {
         return determined(points, tried, required, weights);
     };

@@ -25,7 +25,7 @@ py::array any_array(const py::handle& given, const std::string& name) {
     if (py::isinstance(given, py::module_::import("numpy.ma").attr("MaskedArray")))
         throw InvalidInput(name + " has a mask, which would be lost; pass what it leaves, such as " + name +
                            ".compressed()");
-    const py::array any = py::array::ensure(given);
+    py::array any = py::array::ensure(given);
     if (!any)
         throw InvalidInput(name + " is no array, but of type " + shown(py::type::of(given).attr("__name__")));
     return any;
@@ -50,7 +50,7 @@ Numbers numbers(const py::handle& given, const std::string& name, Index dimensio
     const py::array any = any_array(given, name);
     require_kind(any, name, "fiu", "real numbers");
     require_shape(any, name, any.ndim() == dimensions, shapes);
-    return Numbers(any);
+    return {any};
 }
 
 Column<double> column(const py::handle& given, const std::string& name) {

@@ -30,10 +30,10 @@ std::string in_python(const std::string& message) {
     text.append(rest, said.cend());
 
     // What is given on a side is an entry of a dict.
-    static const std::regex on_side("=\"(?:NAME|A\\+B): ([^\"]*)\"");
-    static const std::regex several("=\\{\"NAME\": ([^}]*,[^}]*)\\}");
-    return std::regex_replace(std::regex_replace(text, on_side, "={\"NAME\": $1}"), several,
-                              "={\"NAME\": ($1)}");
+    static const std::regex on_side(R"re(="(?:NAME|A\+B): ([^"]*)")re");
+    static const std::regex several(R"re(=\{"NAME": ([^}]*,[^}]*)\})re");
+    return std::regex_replace(std::regex_replace(text, on_side, R"(={"NAME": $1})"), several,
+                              R"re(={"NAME": ($1)})re");
 }
 
 }  // namespace python

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <exception>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "python/functions.hpp"
@@ -15,7 +16,7 @@ PYBIND11_MODULE(core, module) {
     pthread_atfork(nullptr, nullptr, [] { omp_set_num_threads(1); });
     pybind11::register_exception_translator([](std::exception_ptr thrown) {
         try {
-            std::rethrow_exception(thrown);
+            std::rethrow_exception(std::move(thrown));
         } catch (const base::InvalidInput& invalid) {
             PyErr_SetString(PyExc_ValueError, python::in_python(invalid.what()).c_str());
         } catch (const base::FailedComputation& failed) {

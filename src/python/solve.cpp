@@ -82,7 +82,7 @@ std::vector<std::string> arguments(const py::dict& keywords) {
     std::vector<std::string> all{"solve"};
     for (const auto& [key, value] : keywords) {
         if (value.is_none()) continue;
-        const std::string keyword = py::cast<std::string>(key);
+        const auto keyword = py::cast<std::string>(key);
         const bool is_name = keyword.find('-') == std::string::npos;  // an option has no second spelling
         if (!is_name || keyword == "help" || keyword == "version")
             throw InvalidInput("there is no option '" + keyword + "'; see help(solve)");
@@ -101,8 +101,8 @@ command_line::BodyOptions options_of(const py::dict& keywords) {
     command_line::add_options(line, options.problem);
     command_line::add_method_options(line, options);
     std::vector<std::string> all = arguments(keywords);
-    std::vector<char*> argv;
-    for (std::string& one : all) argv.push_back(one.data());
+    std::vector<char*> argv(all.size());
+    std::transform(all.begin(), all.end(), argv.begin(), [](std::string& one) { return one.data(); });
     static_cast<void>(line.read(static_cast<int>(argv.size()), argv.data()));
     command_line::check_methods(options);
     if (options.methods.size() > 1 || options.methods == std::vector<std::string>{"all"})

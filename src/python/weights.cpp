@@ -96,9 +96,12 @@ Row row_of(const Operator<double>& D, Index row) {
 
 template <int dim>
 py::object array_of_offsets(const Offsets<double, dim>& r) {
-    if constexpr (dim == 1) return array_of(Column<double>(r));
-    const Eigen::Array<double, Eigen::Dynamic, dim, dim == 1 ? Eigen::ColMajor : Eigen::RowMajor> rows = r;
-    return array_of(rows.data(), {rows.rows(), dim});
+    if constexpr (dim == 1) {
+        return array_of(r);
+    } else {
+        const Eigen::Array<double, Eigen::Dynamic, dim, Eigen::RowMajor> rows = r;
+        return array_of(rows.data(), {rows.rows(), dim});
+    }
 }
 
 py::object array_of_numbers(const Eigen::ArrayXi& numbers) {
