@@ -73,7 +73,7 @@ goals := $(filter-out setup,$(MAKECMDGOALS))
 setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@CXX='$(CXX)' SANITIZE='$(SANITIZE)' bash make/setup $(goals)
 
-include make/tables.mk make/doc.mk make/quality.mk make/install.mk make/body.mk make/python.mk
+include make/tables.mk make/live.mk make/doc.mk make/quality.mk make/install.mk make/body.mk make/python.mk
 
 build: $(programs) ## compile the programs into build/bin
 

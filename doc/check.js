@@ -100,7 +100,7 @@ async function look(page, frame) {
     }));
     let followed = 0;
     for (const [page, link] of links) {
-        if (/^https?:\/\/(dx\.)?doi\.org\//.test(link) || link.startsWith("javascript:")) continue;
+        if (/^https?:\/\/(dx\.)?doi\.org\//.test(link) || link.startsWith("javascript:") || /^#\w+=/.test(link)) continue;  // the state of a page that computes
         ++followed;
         const [target, id] = link.split("#");
         const file = decodeURIComponent(target) || page;

@@ -2,14 +2,18 @@
 .PHONY: doc check-doc
 doc: $(BUILD)/doc/html/index.html ## compile the walkthrough into build/doc/html
 
-check-doc: doc ## open every page of the walkthrough in a browser, and fail on what does not work
+check-doc: doc build ## open every page of the walkthrough in a browser, and fail on what does not work
 	@bash doc/check $(BUILD)/doc/html
+	$(if $(live_built),node tests/web/pages.js $(BUILD))
 
 mathjax := /usr/share/javascript/mathjax
 mathjax_extensions := tex2jax toMathML MathEvents MathMenu MathZoom HelpDialog AssistiveMML
-walkthrough := doc/walkthrough.md $(filter-out %.md,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) \
+# The pages that compute, where there is a compiler for browsers. Their scripts are one, so that their names are their own.
+live_built := $(if $(or $(filter live,$(MAKECMDGOALS)),$(shell command -v em++)),$(live)/programs.js)
+live_scripts := $(addprefix doc/live/,ask.js draw.js controls.js figures.js stencil.js plane.js start.js)
+walkthrough := doc/walkthrough.md $(wildcard doc/live/*) figures/style.gp $(filter-out %.md doc/live,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) \
                $(filter %_test.cpp,$(sources))
-$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures)
+$(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figures) $(live_built)
 	@rm -rf $(BUILD)/doc
 	$(bin)/walkthrough --pages $(BUILD)/doc/pages
 	mkdir $(BUILD)/doc/figures
@@ -30,4 +34,8 @@ $(BUILD)/doc/html/index.html: $(walkthrough) $(bin)/walkthrough $(ledger) $(figu
 	    mkdir -p "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
 	    cp -rL "$(mathjax)/$$part" "$$(dirname $(BUILD)/doc/html/mathjax/$$part)"
 	done
+	mkdir $(BUILD)/doc/html/live
+	{ echo '(() => {'; sed -n -E -f doc/live/styles.sed figures/style.gp; cat $(live_scripts); echo '})();'; } > $(BUILD)/doc/html/live/live.js
+	cat $(live_built) /dev/null > $(BUILD)/doc/html/live/programs.js
+	$(if $(live_built),,echo "the pages that compute are empty: make setup live doc")
 	echo "$@"

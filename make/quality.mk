@@ -26,9 +26,9 @@ compilers: ## compute all data with other compilers and flags, and compare them 
 fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
 	@bash tests/fresh
 
-# clang-tidy reads the source files of src/ with all the headers that they include; cppcheck reads the tests, too.
+# clang-tidy reads the source files of src/, but those for the browser, with all the headers that they include; cppcheck reads the tests, too.
 all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
-all_sources := $(filter src/%,$(sources))
+all_sources := $(filter-out src/web/%,$(filter src/%,$(sources)))
 linted := $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy)
 lint: $(linted) ## compile every header alone, then clang-tidy and cppcheck
 	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt \

@@ -1,10 +1,12 @@
-# Largest errors of second derivatives, or of the values of a solution, and of first derivatives against the number of particles along a side: a column for each
+# Largest errors of second derivatives, of the Laplacian or of the values of a solution, and of first derivatives against the number of particles along a side: a column for each
 # perturbation, a colour for each formulation, a dash and a symbol for each place. For figure_plane, figure_space, and
 # derivative_test_in_space --plot and static_test_in_space --plot.
 if (!exists("table")) { exit error "this figure is of a table of your own: derivative_test_in_space --plot FILE.svg" }
 with_triangles = exists("ours")
 of_values = system("grep -c '^formulation.*,error_value,' '" . table . "'") + 0 > 0
-curve_column = "formulation"; x_column = "particles"; y_column = of_values ? "error_value" : "error_second"
+of_laplacian = system("grep -c '^formulation.*,error_laplacian,' '" . table . "'") + 0 > 0
+curve_column = "formulation"; x_column = "particles"
+y_column = of_values ? "error_value" : of_laplacian ? "error_laplacian" : "error_second"
 load "figures/style.gp"
 # A case that failed has a row without a place.
 key(name, place, p) = name . "/" . place . "/" . p
@@ -64,7 +66,7 @@ do for [second = 0:1] {
         p = word(perturbations, k)
         set lmargin at screen 0.12 + 0.44 * (k - 1); set rmargin at screen (k == panels ? 0.98 : 0.53)
         set format y (k == 1 ? "10^{%T}" : "")
-        set ylabel (k > 1 ? "" : second ? "error of " . (of_values ? "values" : "second derivatives") : "error of first derivatives")
+        set ylabel (k > 1 ? "" : second ? "error of " . (of_values ? "values" : of_laplacian ? "the Laplacian" : "second derivatives") : "error of first derivatives")
         set title (!second ? "" : p eq "0" ? (layout eq "grid" ? "uniform" : "not perturbed") : "perturbed by " . p . " δ" . of_median) font ",13"
         drawn = ""
         do for [name in curves] { do for [place in places] {

@@ -1,9 +1,11 @@
-# The error of the second derivatives, or of the value of a solution, at each particle, as a colour: derivative_test_in_space and
+# The error of the second derivatives, of the Laplacian or of the value of a solution, at each particle, as a colour: derivative_test_in_space and
 # static_test_in_space --states --plot. In space, what
 # lies in front covers what lies behind.
 if (!exists("table")) { exit error "this figure is of a table of your own: derivative_test_in_space --states --plot FILE.svg" }
 of_values = system("grep -c '^formulation.*,error_value,' '" . table . "'") + 0 > 0
-curve_column = "formulation"; x_column = "particle"; y_column = of_values ? "error_value" : "error_second"
+of_laplacian = system("grep -c '^formulation.*,error_laplacian,' '" . table . "'") + 0 > 0
+curve_column = "formulation"; x_column = "particle"
+y_column = of_values ? "error_value" : of_laplacian ? "error_laplacian" : "error_second"
 load "figures/style.gp"
 in_space = strstrt("," . columns . ",", ",z,") > 0
 eval(picture(720, 640))
@@ -15,7 +17,7 @@ eval(sequential)
 set logscale cb
 set cbrange [y_least == y_most ? 0.5 * y_least : y_least : y_most]
 set format cb "10^{%T}"
-set cblabel "error of " . (of_values ? "the value" : "second derivatives")
+set cblabel "error of " . (of_values ? "the value" : of_laplacian ? "the Laplacian" : "second derivatives")
 unset key
 # As few particles, as large symbols.
 set pointsize strlen(values) < 9999 ? most(0.5, least(2.5, 40.0 / words(values)**0.6)) : 0.3

@@ -43,6 +43,7 @@ using particles::product;
 /// (`equal`), for the reasons in \ref asprone2010::numerical_tests.
 ///
 /// What this section claims, and what was measured: \claims{A-2}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace classical_sph {
 
 /// Dirac's delta at \f$x_i\f$ picks the value there: all that follows approximates this. \defeq{A1}

@@ -22,6 +22,7 @@ namespace asprone2010 {
 /// | \f$n\f$ | −1, +1 | outward normal at the ends of Ω |
 ///
 /// What this section claims, and what was measured: \claims{A-3.1}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace original {
 
 /// The first step applied to the derivative. \defeq{A5}

@@ -27,6 +27,7 @@ namespace asprone2010 {
 /// divided by h, the error of D²B is a constant.
 ///
 /// What this section claims, and what was measured: \claims{A-3.2}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace chen_beraun {
 
 /// Taylor's expansion to the first derivative. \defeq{A13}

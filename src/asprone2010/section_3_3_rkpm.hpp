@@ -32,6 +32,7 @@ namespace asprone2010 {
 /// choices measures.
 ///
 /// What this section claims, and what was measured: \claims{A-3.3}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace rkpm {
 
 /// The improved representation of a function. \defeq{A21}

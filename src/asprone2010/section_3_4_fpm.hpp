@@ -25,6 +25,7 @@ namespace asprone2010 {
 /// powers of h out of A; the code computes the first line.
 ///
 /// What this section claims, and what was measured: \claims{A-3.4}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace fpm {
 
 /// Expansion against \f$W_i\f$; the remainder \f$e'_1\f$ is the projection of B minus the left-hand side.

@@ -21,6 +21,7 @@ namespace asprone2010 {
 /// middle lines, which factor the norms and the powers of h out of A; the code computes the first line.
 ///
 /// What this section claims, and what was measured: \claims{A-3.5}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace modified_fpm {
 
 /// Expansion against \f$W_i\f$; returns the remainder \f$e''_1\f$. \defeq{A33}

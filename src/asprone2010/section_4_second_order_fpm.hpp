@@ -32,6 +32,7 @@ namespace asprone2010 {
 /// entries of A in the place of the constants C.
 ///
 /// What this section claims, and what was measured: \claims{A-4}.
+/// Its weights and their moments, on particles that you move: \ref live_stencil.
 namespace second_order_fpm {
 
 /// The corrected kernel, for the integral forms. \defeq{A39}

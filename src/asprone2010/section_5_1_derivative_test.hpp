@@ -22,6 +22,7 @@ namespace asprone2010 {
 /// \image html asprone2010_figure_1.svg "Infinity norm of the error of the second derivative against the number of particles, and its spread on perturbed particles."
 ///
 /// What this section claims, and what was measured: \claims{A-5.1}.
+/// The figure of a function, kernel and smoothing length of yours: \ref live_figure_1.
 namespace derivative_test {
 
 using base::Smooth;

@@ -30,6 +30,7 @@ namespace asprone2010 {
 /// \image html asprone2010_figure_scale.svg "Error of the displacement on long lines, solved once and corrected."
 ///
 /// What this section claims, and what was measured: \claims{A-5.2}.
+/// The figure of a displacement, kernel and smoothing length of yours: \ref live_figure_2.
 namespace static_test {
 
 using base::Smooth;

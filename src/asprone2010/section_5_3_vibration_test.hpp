@@ -27,6 +27,7 @@ namespace asprone2010 {
 /// \image html asprone2010_figure_3.svg "Frequencies over exact frequencies, 100 particles, and those of linear finite elements (FEM) with consistent and with lumped mass."
 ///
 /// What this section claims, and what was measured: \claims{A-5.3}.
+/// The figure of a kernel, smoothing length and line of yours: \ref live_figure_3.
 namespace vibration_test {
 
 /// The ends are fixed: their rows and columns of D² are left out. \defeq{A46}
@@ -78,6 +79,9 @@ inline bool lower(const std::complex<double>& a, const std::complex<double>& b) 
 /// \f[ \mathbf{K}\mathbf{x} + \omega^2\mathbf{x} = 0 \tag{52} \f]
 /// \return \f$\omega = \sqrt{-\lambda}\f$; it is real where the eigenvalue is negative
 inline std::complex<double> frequency(const std::complex<double>& lambda) {
+    // The complex root of a negative number has a real part of round-off in some libraries.
+    if (lambda.imag() == 0 && lambda.real() > 0)
+        return {0, std::copysign(std::sqrt(lambda.real()), -lambda.imag())};
     return std::sqrt(-lambda);
 }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -90,7 +91,11 @@ long whole_number(std::string_view text) {
     if (first < word.size() && word[first] == '0' && first + 1 < word.size() && word[first + 1] != '.')
         refuse(word, "begins with 0; write it in decimal");
     const double value = number(word);
-    if (value != std::round(value) || std::abs(value) > 1e15) refuse(word, "is no whole number up to 1e15");
+    constexpr bool short_long = sizeof(long) < 8;
+    constexpr double most = short_long ? static_cast<double>(std::numeric_limits<long>::max()) : 1e15;
+    if (value != std::round(value) || std::abs(value) > most)
+        refuse(word, "is no whole number up to " +
+                         (short_long ? std::to_string(std::numeric_limits<long>::max()) : "1e15"));
     return std::lround(value);
 }
 

@@ -17,7 +17,7 @@ std::string quoted(std::string_view text);
 ///         comma, a semicolon, a character beyond ASCII, a number outside the range of double
 double number(std::string_view text);
 
-/// The same for a whole number up to 10¹⁵, such as 1e3.
+/// The same for a whole number up to 10¹⁵, such as 1e3, or up to what a shorter long holds.
 /// \throws InvalidInput also for 010, which others read as octal
 long whole_number(std::string_view text);
 

@@ -54,6 +54,7 @@ using particles::Points;
 /// weight.
 ///
 /// What this section claims, and what was measured: \claims{B-2}.
+/// On particles that you move: \ref live_plane.
 namespace ssph_basis {
 
 using particles::Exponents;

@@ -16,7 +16,7 @@
 #include "particles/multi_index.hpp"
 #include "particles/quality.hpp"
 #include "particles/requirement.hpp"
-#include "solvers/spectrum.hpp"
+#include "solvers/sparse_spectrum.hpp"
 
 namespace bodies {
 

@@ -38,7 +38,7 @@ CommandLine::Option& CommandLine::Option::type_name(const std::string& shown) {
     option_->type_name(shown);
     return *this;
 }
-CommandLine::Option& CommandLine::Option::within(long least, long most) {
+CommandLine::Option& CommandLine::Option::within(std::int64_t least, std::int64_t most) {
     option_->check([least, most, name = option_->get_name()](const std::string& text) {
         if (const long number = whole_number(name, text); number < least || number > most)
             throw base::InvalidInput(name + " must lie between " + std::to_string(least) + " and " +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,7 +33,7 @@ class CommandLine {
     class Option {
       public:
         Option& type_name(const std::string& shown);
-        Option& within(long least, long most);
+        Option& within(std::int64_t least, std::int64_t most);
         Option& among(const std::vector<std::string>& words);
         Option& excludes(const Option& other);
         Option& required();

@@ -66,6 +66,7 @@ using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 /// of this package meet here.
 ///
 /// What this section claims, and what was measured: \claims{F-1}.
+/// On particles that you move: \ref live_plane.
 namespace second_order_fpm {
 
 /// How many particles determine the derivatives: the particle itself, and a neighbour for each monomial of

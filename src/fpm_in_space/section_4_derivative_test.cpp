@@ -114,14 +114,15 @@ void compare(const particles::Operator<double>& D, Index row, const Cloud<dim>& 
         difference[k] = values[entry.col()] - values[i];
         r.row(k) = (cloud.x().col(entry.col()) - cloud.x().col(i)).transpose();
     }
-    const double error = std::abs((w * difference).sum() - B(cloud.x().col(i), a));
+    const double error = (w * difference).sum() - B(cloud.x().col(i), a);
     if (!std::isfinite(error))
         throw InvalidInput("a derivative of the function is not finite at particle " + std::to_string(i) +
                            " (" + particles::position_in_words(cloud, i) + "); take another function");
     if (particles::order<dim>(a) == 1) {
-        at.first = std::max(at.first, error);
+        at.first = std::max(at.first, std::abs(error));
     } else {
-        at.second = std::max(at.second, error);
+        at.second = std::max(at.second, std::abs(error));
+        if (std::find(a.begin(), a.end(), 2) != a.end()) at.laplacian += error;
         at.R = std::max(at.R, particles::quality<double, dim>(w * delta * delta, r / delta, exact));
     }
 }
@@ -150,12 +151,13 @@ std::vector<AtParticle> errors_of_block(const Formulation<double, dim>& formulat
     std::vector<AtParticle> found(static_cast<std::size_t>(rows.size()));
     base::for_each_index(rows.size(), [&](Index row) {
         const Index i = rows.first + row;
-        AtParticle& at = found[static_cast<std::size_t>(row)] = {i, 0, 0, 0};
+        AtParticle& at = found[static_cast<std::size_t>(row)] = {i, 0, 0, 0, 0};
         for (const auto& a : particles::monomials<dim, 2>())
             if (const int order = particles::order<dim>(a); order > 0)
                 compare<dim>(derivative(operators, a), row, cloud, i, a, values, B,
                              spacing[spacing.size() == 1 ? 0 : i],
                              order == 1 ? formulation.exact.first : formulation.exact.second, at);
+        at.laplacian = std::abs(at.laplacian);
     });
     return found;
 }
@@ -182,11 +184,12 @@ std::vector<std::vector<AtParticle>> errors(const Formulation<double, dim>& form
 }
 
 AtParticle largest(const std::vector<AtParticle>& all) {
-    AtParticle most{-1, 0, 0, 0};
+    AtParticle most{-1, 0, 0, 0, 0};
     for (const AtParticle& one : all) {
         if (most.particle < 0 || one.second > most.second) most.particle = one.particle;
         most.first = std::max(most.first, one.first);
         most.second = std::max(most.second, one.second);
+        most.laplacian = std::max(most.laplacian, one.laplacian);
         most.R = std::max(most.R, one.R);
     }
     return most;

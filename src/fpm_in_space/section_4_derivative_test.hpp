@@ -45,6 +45,7 @@ namespace fpm_in_space {
 /// \image html fpm_in_space_figure_quality.svg "Left: errors of second derivatives of ln r at each particle against the bound from R. Right: errors of displacements by collocation against the largest R of each of 25 layouts; the colour is the noise."
 ///
 /// What this section claims, and what was measured: \claims{F-4}.
+/// On particles that you move: \ref live_plane.
 namespace derivative_test {
 
 using particles::Cloud;
@@ -106,6 +107,7 @@ double stretched_spacing(const Point<dim>& x, double spacing, double growth);
 struct AtParticle {
     Index particle;
     double first, second;  ///< largest errors of the derivatives of order 1 and 2
+    double laplacian;      ///< error of the sum of the second derivatives along the axes
     double R;              ///< largest quality number of the second derivatives, in units of δ
 };
 

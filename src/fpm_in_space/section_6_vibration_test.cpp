@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "particles/operators.hpp"
+#include "solvers/sparse_spectrum.hpp"
 #include "solvers/spectrum.hpp"
 
 namespace fpm_in_space::vibration_test {

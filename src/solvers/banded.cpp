@@ -3,7 +3,6 @@
 #include <lapacke.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -50,6 +49,32 @@ Eigen::Array<Scalar, Eigen::Dynamic, 1> row_scales(const Eigen::SparseMatrix<Sca
                                   "); take another smoothing length, another formulation or other particles");
 }
 
+/// Hager's estimate of \f$\|A^{-1}\|\f$ in the 1-norm, with Higham's alternating vector beside it, as in
+/// LAPACK's dlacn2. It costs about five solutions.
+/// \param solve \f$A^{-1} x\f$ \param solve_transposed \f$A^{-T} x\f$
+template <class Numbers, class Solve, class SolveTransposed>
+typename Numbers::Scalar norm_of_inverse(Eigen::Index N, const Solve& solve,
+                                         const SolveTransposed& solve_transposed) {
+    using Real = typename Numbers::Scalar;
+    const auto real = [](Eigen::Index count) { return Real(static_cast<double>(count)); };
+    Numbers x = Numbers::Constant(N, 1 / real(N));
+    Real estimate(0);
+    for (int k = 0; k < 5; ++k) {
+        const Numbers y = solve(x);
+        if (!y.allFinite()) return std::numeric_limits<Real>::infinity();
+        estimate = std::max<Real>(estimate, y.cwiseAbs().sum());
+        const Numbers signs = y.unaryExpr([](const Real& entry) { return Real(entry < 0 ? -1 : 1); });
+        const Numbers z = solve_transposed(signs);
+        Eigen::Index j = 0;
+        if (z.cwiseAbs().maxCoeff(&j) <= z.dot(x)) break;
+        x = Numbers::Unit(N, j);
+    }
+    for (Eigen::Index i = 0; i < N; ++i)
+        x[i] = (i % 2 == 0 ? 1 : -1) * (1 + real(i) / real(std::max<Eigen::Index>(N - 1, 1)));
+    const Numbers y = solve(x);
+    return std::max<Real>(estimate, 2 * y.cwiseAbs().sum() / real(3 * N));
+}
+
 }  // namespace
 
 /// Eigen's sparse factorisation of the scaled matrix, in quadruple precision.
@@ -75,26 +100,10 @@ struct BandedFactors<Scalar>::Library {
         return factors.solve(b.template cast<Quad>().matrix()).array().template cast<Scalar>();
     }
 
-    /// Hager's estimate of ‖A⁻¹‖ in the 1-norm, with Higham's alternating vector beside it, as in LAPACK's
-    /// dlacn2.
     [[nodiscard]] Quad norm_of_inverse() {
-        Numbers x = Numbers::Constant(N, 1 / Quad(static_cast<double>(N)));
-        Quad estimate(0);
-        for (int k = 0; k < 5; ++k) {
-            const Numbers y = factors.solve(x);
-            if (!y.allFinite()) return std::numeric_limits<Quad>::infinity();
-            estimate = std::max<Quad>(estimate, y.cwiseAbs().sum());
-            const Numbers signs = y.unaryExpr([](const Quad& entry) { return Quad(entry < 0 ? -1 : 1); });
-            const Numbers z = factors.solve_transposed(signs);
-            Eigen::Index j = 0;
-            if (z.cwiseAbs().maxCoeff(&j) <= z.dot(x)) break;
-            x = Numbers::Unit(N, j);
-        }
-        for (Eigen::Index i = 0; i < N; ++i)
-            x[i] =
-                (i % 2 == 0 ? 1 : -1) * (1 + Quad(static_cast<double>(i)) / std::max<Eigen::Index>(N - 1, 1));
-        const Numbers y = factors.solve(x);
-        return std::max<Quad>(estimate, 2 * y.cwiseAbs().sum() / Quad(static_cast<double>(3 * N)));
+        return solvers::norm_of_inverse<Numbers>(
+            N, [this](const Numbers& x) { return factors.solve(x); },
+            [this](const Numbers& x) { return factors.solve_transposed(x); });
     }
 };
 
@@ -134,31 +143,21 @@ struct BandedFactors<double>::Library {
         if (zero_pivot != 0) refuse(N, 0);
     }
 
-    [[nodiscard]] Vector solve(Vector b) const {
-        substitute('N', b);
-        return b;
-    }
+    [[nodiscard]] Vector solve(const Vector& b) const { return substituted('N', b); }
 
-    /// Higham's estimate of ‖A⁻¹‖ in the 1-norm. The time of dgbcon, which gives the same estimate, grows
-    /// with N².
     [[nodiscard]] double norm_of_inverse() const {
-        Vector x(N), v(N);
-        Eigen::ArrayXi signs(N);
-        std::array<lapack_int, 3> state{};
-        double estimate = 0;
-        for (lapack_int wanted = 0;;) {
-            LAPACKE_dlacn2_work(N, v.data(), x.data(), signs.data(), &estimate, &wanted, state.data());
-            if (wanted == 0) return x.allFinite() ? estimate : std::numeric_limits<double>::infinity();
-            substitute(wanted == 1 ? 'N' : 'T', x);
-        }
+        return solvers::norm_of_inverse<Eigen::VectorXd>(
+            N, [this](const Eigen::VectorXd& x) { return substituted('N', x); },
+            [this](const Eigen::VectorXd& x) { return substituted('T', x); });
     }
 
   private:
     [[nodiscard]] lapack_int height() const { return static_cast<lapack_int>(band.rows()); }
 
-    void substitute(char transposed, Vector& x) const {
+    [[nodiscard]] Eigen::VectorXd substituted(char transposed, Eigen::VectorXd x) const {
         LAPACKE_dgbtrs_work(LAPACK_COL_MAJOR, transposed, N, below, above, 1, band.data(), height(),
                             pivots.data(), x.data(), N);
+        return x;
     }
 };
 

@@ -6,7 +6,6 @@
 
 #include "base/vector_width.hpp"
 #include "solvers/banded.hpp"
-#include "solvers/rows.hpp"
 
 namespace solvers {
 
@@ -30,11 +29,5 @@ struct Eigenpairs {
 /// \param factors of K \param N rows of K \param count at most N − 2
 /// \throws base::FailedComputation where the iteration does not converge
 Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count);
-
-/// The largest eigenvalues μ of \f$K^{-1} M\f$, of which 1/μ are the lowest of \f$K x = \lambda M x\f$, in the
-/// order of decreasing size.
-/// \param count at most N − 2
-/// \throws base::FailedComputation where K is singular or the iteration does not converge
-Eigen::VectorXcd largest_of_inverse(const SparseRows& K, const SparseRows& M, Eigen::Index count);
 
 }  // namespace solvers

@@ -198,13 +198,37 @@ TEST_CASE("derivative test in space: errors do not depend on which particles are
     const auto by_place =
         errors(formulation, square.cloud, smoothing, spacing, exponential_and_wave<2>, places_of(square));
     for (const auto& there : by_place)
-        for (const auto& [i, first, second, R] : there) {
-            const AtParticle& same = all[static_cast<std::size_t>(i)];
-            CHECK(same.particle == i);
-            CHECK(same.first == first);
-            CHECK(same.second == second);
-            CHECK(same.R == R);
+        for (const AtParticle& at : there) {
+            const AtParticle& same = all[static_cast<std::size_t>(at.particle)];
+            CHECK(same.particle == at.particle);
+            CHECK(same.first == at.first);
+            CHECK(same.second == at.second);
+            CHECK(same.laplacian == at.laplacian);
+            CHECK(same.R == at.R);
         }
+}
+
+TEST_CASE("derivative test in space: the error of the Laplacian is that of the sum of its rows") {
+    const Body<2> square = body<2>(9, 0.2, 3);
+    const double delta = 1.0 / 8;
+    const Smoothing<double, 2> smoothing(particles::TruncatedGaussian<2>(3.5), 1.2 * delta);
+    const auto& formulation = formulation_named<double, 2>("ssph");
+    const auto found =
+        errors(formulation, square.cloud, smoothing, particles::Column<double>::Constant(1, delta),
+               exponential_and_wave<2>, {Range{0, square.cloud.size()}})[0];
+    const auto operators = particles::assemble(square.cloud, smoothing, formulation.required(),
+                                               formulation.weights, {0, square.cloud.size()});
+    particles::Column<double> B(square.cloud.size()), exact(square.cloud.size());
+    for (Index i = 0; i < B.size(); ++i) {
+        const Point<2> x = square.cloud.x().col(i);
+        B[i] = exponential_and_wave<2>(x, {0, 0});
+        exact[i] = exponential_and_wave<2>(x, {2, 0}) + exponential_and_wave<2>(x, {0, 2});
+    }
+    const particles::Column<double> laplacian =
+        particles::apply(particles::derivative(operators, Exponents<2>{2, 0}), B) +
+        particles::apply(particles::derivative(operators, Exponents<2>{0, 2}), B);
+    for (const AtParticle& at : found)
+        CHECK(at.laplacian == support::relative(std::abs(laplacian[at.particle] - exact[at.particle]), 1e-9));
 }
 
 TEST_CASE("derivative test in space: the error is at most what R says, for a function of known derivatives") {
@@ -229,10 +253,11 @@ TEST_CASE("derivative test in space: the error is at most what R says, for a fun
 
 TEST_CASE(
     "derivative test in space: the largest of each number, and the particle of the second derivatives") {
-    const AtParticle most = largest({{7, 3, 1, 9}, {8, 1, 2, 4}, {9, 2, 1, 5}});
+    const AtParticle most = largest({{7, 3, 1, 6, 9}, {8, 1, 2, 2, 4}, {9, 2, 1, 7, 5}});
     CHECK(most.particle == 8);
     CHECK(most.first == 3);
     CHECK(most.second == 2);
+    CHECK(most.laplacian == 7);
     CHECK(most.R == 9);
 }
 
