@@ -8,8 +8,8 @@ check-doc: doc build ## open every page of the walkthrough in a browser, and fai
 
 mathjax := /usr/share/javascript/mathjax
 mathjax_extensions := tex2jax toMathML MathEvents MathMenu MathZoom HelpDialog AssistiveMML
-# The pages that compute, where there is a compiler for browsers. Their scripts are one, so that their names are their own.
-live_built := $(if $(or $(filter live,$(MAKECMDGOALS)),$(shell command -v em++)),$(live)/programs.js)
+# The programs of the pages that compute, where they are compiled or there is a compiler for browsers. Their scripts are one, so that their names are their own.
+live_built := $(if $(or $(filter live,$(MAKECMDGOALS)),$(wildcard $(live)/programs.js),$(shell command -v em++)),$(live)/programs.js)
 live_scripts := $(addprefix doc/live/,ask.js draw.js controls.js figures.js stencil.js plane.js start.js)
 walkthrough := doc/walkthrough.md $(wildcard doc/live/*) figures/style.gp $(filter-out %.md doc/live,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) \
                $(filter %_test.cpp,$(sources))

@@ -4,9 +4,10 @@ live_programs := derivative_test static_test vibration_test stencil derivative_t
 live := $(BUILD)/live
 live_sources := $(live_programs:%=src/programs/%.cpp) $(wildcard $(addsuffix /*.cpp,$(addprefix src/,\
                   web base particles solvers expressions asprone2010 fpm_in_space command_line))) src/report/file.cpp src/report/table.cpp
-without := %/choices.cpp src/solvers/sparse.cpp src/solvers/sparse_spectrum.cpp src/command_line/body_% src/command_line/timed_% \
-           src/fpm_in_space/section_5% src/fpm_in_space/section_6% src/fpm_in_space/section_7% \
-           src/particles/quadrature.cpp src/particles/region_% src/particles/triangle_rule.cpp
+# None of these programs needs them.
+without := %/choices.cpp $(addprefix src/,solvers/sparse.cpp solvers/sparse_spectrum.cpp solvers/rows.cpp particles/quadrature.cpp particles/region_% \
+               particles/triangle_rule.cpp fpm_in_space/section_3% fpm_in_space/section_5% fpm_in_space/section_6% fpm_in_space/section_7% \
+               command_line/body_% command_line/timed_% command_line/example_problems.cpp command_line/membranes.cpp command_line/field_file.cpp)
 live_objects := $(patsubst %.cpp,$(live)/%.o,$(filter-out $(without),$(live_sources)))
 # Libraries that are headers only. The folder that holds them has headers of this machine's, too.
 header_libraries := Spectra boost CLI eigen3/Eigen eigen3/unsupported

@@ -168,7 +168,10 @@ function live(root, { program, options, always = [], moves = [], redraw }) {
     root.append(form, html("div", { className: "result" }, figure, bar, message, note, command, buttons));
     const shown = { figure, note, made, kept, moves, value, words, show, refresh };
     const begin = () => { restore(); refresh(); };
-    addEventListener("hashchange", begin);
+    addEventListener("hashchange", () => {
+        begin();
+        figure.scrollIntoView({ block: "nearest" });
+    });
     let width = 0;
     new ResizeObserver(() => { if (width !== figure.clientWidth) { if (width > 0) refresh(); width = figure.clientWidth; } }).observe(figure);
     // The page of a walkthrough that was made without the compiler for browsers.

@@ -1,5 +1,5 @@
-// Figures 1 to 3 of Asprone et al. (2010), of whatever formulation, kernel, smoothing length and function. The paper's curves stay
-// behind in grey.
+// Figures 1 to 3 of Asprone et al. (2010), of whatever formulation, kernel, smoothing length and function. The curves with the paper's
+// settings stay behind in grey.
 const grey = { color: "#c9c9c9", width: 4, dash: "" };
 
 // Rows of one formulation as points of a curve.
@@ -68,7 +68,7 @@ const pages = {
             ...onALine, formulation: { option: "--formulation", label: "formulations", kind: "several", values: [...formulations, "fem_lumped", "fem_consistent", "definite_fpm"],
                 standard: [...formulations, "fem_lumped", "fem_consistent"].join() },
             particles: { option: "--particles", label: "number of particles N", kind: "range", least: 5, most: 300, step: 1, standard: "100" },
-            symbol: { label: "grey bands", kind: "choice", values: ["paper", "symbol"], names: { paper: "the paper's curves", symbol: "symbol of D² on an infinite lattice" }, standard: "paper" },
+            symbol: { label: "grey bands", kind: "choice", values: ["paper", "symbol"], names: { paper: "the paper's settings", symbol: "symbol of D² on an infinite lattice" }, standard: "paper" },
         },
         redraw: async (page, answer) => {
             const words = page.words(), answered = await answer(words), { rows: all, comments } = read(answered.table);
@@ -82,7 +82,9 @@ const pages = {
                 ...names(rows).map((name) => ({ style: styles[name], every: 8, points: points(rows, name, place, (row) => number(row.ratio)) })),
             ];
             page.show(words, {}, answered);
-            page.note.textContent = comments.filter((comment) => comment.startsWith("frequencies that are not real")).join("; ");
+            const complex = comments.find((comment) => comment.startsWith("frequencies that are not real")) || "";
+            page.note.textContent = complex.replace(/(\w+), \d+ particles(?:, seed \d+)? (\d+ of \d+)/g, (all, name, count) => `${titled(name)} ${count}`) +
+                (theory && !rows.some((row) => row.ratio_symbol) ? " Particles that do not lie on a lattice have no symbol." : "");
             const [, most] = extremes(curves, 1, false);
             draw(page.figure, `Vibration test, ${rows.length > 0 ? rows[0].particles : "no"} particles`, { label: "mode n / number of particles N", least: 0, most: 1 },
                 { label: "ωₙ / (π n)", least: 0, most: Math.min(3, Math.max(1.3, 1.05 * most)) }, curves);

@@ -31,7 +31,11 @@ pages.plane = {
         page.show(words, files, answered);
         // Of several numbers of particles, the last.
         const rows = all.filter((row) => row.particles === all[all.length - 1].particles);
-        if (!tooMany(page, rows.length) && rows.length > 0) drawClouds(page, moved ? there : placesOf(rows), chosen, rows, numbers[show]);
+        if (tooMany(page, rows.length) || rows.length === 0) return;
+        const places = moved ? there : placesOf(rows), ofChosen = rows.filter((row) => Number(row.particle) === chosen);
+        if (ofChosen.length > 0)
+            page.note.textContent = `Particle ${chosen} at (${places[chosen].join(", ")}): ` + ofChosen.map((row) => `${titled(row.formulation)} ${number(row[numbers[show]]).toPrecision(4)}`).join(", ") + ".";
+        drawClouds(page, places, chosen, rows, numbers[show]);
     },
 };
 // By the number of the particle, as the program printed them.
@@ -56,7 +60,8 @@ function drawClouds(page, places, chosen, rows, column) {
         const of = rows.filter((row) => row.formulation === name), worst = of.reduce((a, b) => (number(b[column]) > number(a[column]) ? b : a));
         const root = svg("svg", { width: size, height: size + 10, viewBox: `0 0 ${size} ${size + 10}`, role: "application", tabindex: 0, "aria-label": `${titled(name)}: the arrow keys move particle ${chosen}; the control named particle chooses another.` });
         root.append(svg("text", { x: edge, y: 14, class: "heading" }, titled(name)), svg("text", { x: size - edge, y: 14, "text-anchor": "end" }, "largest " + number(worst[column]).toPrecision(3)));
-        for (const row of of) {
+        // The chosen one lies above the others.
+        for (const row of [...of].sort((a, b) => (Number(a.particle) === chosen) - (Number(b.particle) === chosen))) {
             const i = Number(row.particle), [x, y] = places[i].map(Number);
             root.append(svg("circle", { cx: at(x), cy: up(y), r: radius, fill: shade(number(row[column])), "data-particle": i, class: `cell movable${i === chosen ? " chosen" : ""}` },
                 svg("title", {}, `particle ${i}, ${row.place || "at"} (${x}, ${y}): ${number(row[column]).toPrecision(4)}`)));
@@ -64,7 +69,7 @@ function drawClouds(page, places, chosen, rows, column) {
         return root;
     });
     const stops = sequential.map(([place, color]) => `${color} ${100 * place}%`).join();
-    replacePanels(page, panels, html("div", { className: "scale" }, least.toPrecision(2), html("span", { style: `background: linear-gradient(to right, ${stops})` }), most.toPrecision(2)));
+    replacePanels(page, panels, html("div", { className: "scale" }, least.toPrecision(2), html("span", { style: `background: linear-gradient(to right, ${stops})` }), most.toPrecision(2) + ", logarithmic"));
     // A particle of a side stays on it, and none leaves the square.
     page.move = (i, [px, py]) => {
         const to = [(px - edge) / inner, (size + 4 - edge - py) / inner].map((c, k) => {

@@ -54,6 +54,7 @@ pages.stencil = {
         const read_ = stencils.map(({ name, answered: { table, message } }) => ({ name, message, ...read(table) }));
         const good = read_.filter(({ rows }) => rows.length > 0).map((one) => ({ ...one, ...parsed(one.comments) }));
         if (!tooMany(page, places.length)) drawLine(page, places.map(Number), chosen, read_);
+        if (places[chosen] !== undefined) page.note.textContent += `Particle ${chosen}, x = ${places[chosen]}.`;
         if (beside !== "" && places.length > 0) page.note.textContent += ` Grey: ${titled(beside)}.`;
         page.below ||= page.note.parentNode.insertBefore(html("div", { className: "moments" }), page.note.nextSibling);
         page.below.replaceChildren(
@@ -127,7 +128,7 @@ function drawLine(page, places, chosen, stencils) {
     ["weight_first", "weight_second"].forEach((column, k) => {
         const middle = 28 + k * bars + bars / 2;
         const largest = Math.max(1e-300, ...stencils.flatMap(({ rows }) => rows.map((row) => Math.abs(number(row[column])))));
-        root.append(svg("text", { x: left, y: middle - bars / 2 - 4, class: "heading" }, (k === 0 ? "weights of D, times δ" : "weights of D², times δ²") + `, up to ${Number(largest.toPrecision(3))}`),
+        root.append(svg("text", { x: left, y: middle - bars / 2 - 4, class: "heading" }, (k === 0 ? "weights of D, times δ" : "weights of D², times δ²") + `; the longest is ${Number(largest.toPrecision(3))}`),
             svg("path", { class: "axes", d: `M${left},${middle}H${width - right}` }));
         stencils.forEach(({ name, rows }, place) => {
             const style = place === 0 ? styles[name] : { ...styles[name], color: "#8f8f8f", point: 6 };
