@@ -54,7 +54,7 @@ set style line 7 linecolor rgb "#005a3c" dashtype 1       pointtype 7  pointsize
 set style line 8 linecolor rgb "#555555" dashtype 1       pointtype 2  pointsize 0.7 linewidth 1.3
 set style line 9 linecolor rgb "#888888" dashtype (6,3)   pointtype 3  pointsize 0.7 linewidth 1.2
 set style line 10 linecolor rgb "#c0392b" dashtype (10,3,2,3,2,3) pointtype 14 pointsize 0.8 linewidth 1.5
-set style line 11 linecolor rgb "#00695c" dashtype 1       pointtype 7  pointsize 0.7 linewidth 2.0
+set style line 11 linecolor rgb "#00695c" dashtype (9,3)   pointtype 9  pointsize 0.8 linewidth 2.0
 set style line 12 linecolor rgb "#7b4fa3" dashtype (4,3)   pointtype 5  pointsize 0.7 linewidth 1.5
 set style line 13 linecolor rgb "#3a9bdc" dashtype (12,4)  pointtype 12 pointsize 0.9 linewidth 1.5
 set style line 14 linecolor rgb "#b35900" dashtype (8,3,2,3) pointtype 8 pointsize 0.9 linewidth 1.5
