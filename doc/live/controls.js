@@ -52,10 +52,10 @@ const onALine = {
     kernel: { option: "--kernel", label: "kernel W", kind: "choice", values: kernels, standard: "gaussian" },
     volumes: { option: "--volumes", label: "volumes", kind: "choice", values: ["equal", "partition"], standard: "equal" },
     perturb: { option: "--perturb", label: "perturbation a, in δ", kind: "range", least: 0, most: 0.49, step: 0.01, standard: "0" },
-    seed: { option: "--seed", label: "seed", kind: "whole", least: 1, most: 4294967295, standard: "1" },
+    seed: { option: "--seed", label: "seed", kind: "whole", least: 1, most: 2147483647, standard: "1" },
 };
 
-// What a page shows and does. `redraw` is called after each change; it may ask, and draws what came if nothing was asked since.
+// What a page shows and does. `redraw` is called after each change: it asks for tables, and draws them.
 // \param options by their keys in the address \param always words that every command has
 // \param moves keys of controls that make new particles; then none is moved
 function live(root, { program, options, always = [], moves = [], redraw }) {

@@ -51,16 +51,16 @@ pages.stencil = {
             stencils.push({ name: formulation, answered: await answer(same, files) });
         }
         page.show(words, files, stencils[0].answered);
-        const read_ = stencils.map(({ name, answered: { table, message } }) => ({ name, message, ...read(table) }));
-        const good = read_.filter(({ rows }) => rows.length > 0).map((one) => ({ ...one, ...parsed(one.comments) }));
-        if (!tooMany(page, places.length)) drawLine(page, places.map(Number), chosen, read_);
+        const tables = stencils.map(({ name, answered: { table, message } }) => ({ name, message, ...read(table) }));
+        const good = tables.filter(({ rows }) => rows.length > 0).map((one) => ({ ...one, ...parsed(one.comments) }));
+        if (!tooMany(page, places.length)) drawLine(page, places.map(Number), chosen, tables);
         if (places[chosen] !== undefined) page.note.textContent += `Particle ${chosen}, x = ${places[chosen]}.`;
         if (beside !== "" && places.length > 0) page.note.textContent += ` Grey: ${titled(beside)}.`;
         page.below ||= page.note.parentNode.insertBefore(html("div", { className: "moments" }), page.note.nextSibling);
         page.below.replaceChildren(
             ...["D", "D2"].map((of) => momentsTable(typeset(of), good.map(({ name, moments }) => ({ name: titled(name), moments: moments[of] })))),
             ...good.map(({ name, said }) => html("p", {}, html("b", {}, titled(name)), ": " + said.map((line) => typeset(line)).join("; ") + ".")),
-            ...read_.slice(1).filter(({ message }) => message !== "").map(({ message }) => html("p", { className: "message" }, message)));
+            ...tables.slice(1).filter(({ message }) => message !== "").map(({ message }) => html("p", { className: "message" }, message)));
     },
 };
 
@@ -70,7 +70,7 @@ const movesOf = (page, count, dimension) => new Map(page.kept.move.split(",").ma
 const moveText = (moves) => [...moves].map(([i, x]) => [i, ...x].join(":")).join();
 
 // A pointer and the arrow keys move the particles of a drawing, which is drawn anew meanwhile: each has its number in data-particle, and
-// a place in the units of the viewBox at (cx, cy). \param moved(i, [x, y], panel) such a place for a particle
+// a place in the units of the viewBox at (cx, cy). \param moved(i, [x, y]) such a place for a particle
 function movable(page, moved) {
     const panel = (k) => page.figure.querySelectorAll("svg")[k];
     const place = (event, k) => new DOMPoint(event.clientX, event.clientY).matrixTransform(panel(k).getScreenCTM().inverse());
