@@ -19,18 +19,19 @@ live: $(live)/programs.js ## compile the programs of the live pages for a browse
 check-live: live build ## compare what the browser's programs compute with the committed tables and with the programs of build/bin
 	@node tests/web/check.js $(BUILD)
 
-$(live)/include: | $(BUILD)/flags
+$(live)/include:
 	@mkdir -p $@
 	ln -sfn $(header_libraries:%=/usr/include/%) $@
 
 # Debian's emscripten finds what it needs of node here, whichever node runs it.
 $(live)/%: export NODE_PATH := /usr/share/nodejs
-$(live)/%.o: %.cpp | $(live)/include
+$(live)/%.o: %.cpp $(BUILD)/flags | $(live)/include
 	@mkdir -p $(@D)
 	echo "compile $< for a browser"
 	em++ $(LIVEFLAGS) $(filter -DEIGEN%,$(CPPFLAGS)) -DVERSION='"$(version)"' -DSOURCE_FOLDER='""' \
 	    $(patsubst %,-Dmain=%_main,$(filter $(basename $(notdir $<)),$(live_programs))) -isystem src/web/libraries -Isrc -isystem $(live)/include \
-	    -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@
+	    -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
+	mv $@.tmp.o $@
 # A page that is read from a file may start a worker from the text of a function only: `programs` is one.
 $(live)/programs.js: $(live_objects) make/live.mk
 	@echo "link $@"

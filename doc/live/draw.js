@@ -1,4 +1,4 @@
-// Curves in SVG, in the colours, dashes and symbols of figures/style.gp, which styles.js holds.
+// Curves in SVG, in the colours, dashes and symbols of figures/style.gp, as styles.sed reads them.
 const svg = (name, attributes = {}, ...children) => {
     const node = document.createElementNS("http://www.w3.org/2000/svg", name);
     for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);

@@ -101,12 +101,11 @@ std::vector<std::string> remarks(const SolvedBody<dim, n>& solved, const Judgeme
                                                shown(100 * judged.missed_loads, 3) +
                                                " % of their size, where " + shown(100 * most_missed) +
                                                " is the most; do not trust those near it");
-    const std::vector<Index> across = bodies::across_gaps(body, solution);
-    const Point<dim> first =
-        across.empty() ? Point<dim>(Point<dim>::Zero()) : Point<dim>(body.x.col(across[0]));
-    add(!across.empty(),
-        std::to_string(across.size()) + " particles, such as that at " + particles::shown_point(first) +
-            ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");
+    if (const std::vector<Index> across = bodies::across_gaps(body, solution); !across.empty())
+        add(true,
+            std::to_string(across.size()) + " particles, such as that at " +
+                particles::shown_point(Point<dim>(body.x.col(across.front()))) +
+                ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");
     add(judged.noise > most_noise, "the unknowns alternate between neighbours, and " + fluxes +
                                        " may be wrong (noise " + shown(judged.noise, 3) + ", where " +
                                        shown(most_noise) + " is the most)");

@@ -23,7 +23,8 @@ template <int dim, int n>
 std::vector<Quantity<dim>> quantities(const Judgement<n>& judged);
 
 /// What is wrong with a solution, a sentence each: loads and reactions that leave more than 2 %, monomials of
-/// a lower degree, neighbours that determine badly, stresses that miss the loads, particles that see others across a gap, and unknowns that alternate.
+/// a lower degree, neighbours that determine badly, stresses that miss the loads, particles that see others
+/// across a gap, and unknowns that alternate.
 /// \param degree of the monomials that was asked for \param remedy for a solution out of equilibrium
 /// \throws base::FailedComputation for a defect of more than 10 %, with loads and reactions and the remedy
 template <int dim, int n>

@@ -34,8 +34,12 @@ CloudTest<dim> test(const CloudOptions& options, bool laplacian) {
         }
         return all;
     };
-    return {"FPM in space, Section 4: largest errors of the first and second derivatives by place",
-            "FPM in space, Section 4: errors of the derivatives at each particle",
+    return {"FPM in space, Section 4: largest errors of the first " +
+                std::string(laplacian ? "derivatives and of the Laplacian" : "and second derivatives") +
+                " by place",
+            "FPM in space, Section 4: errors of the " +
+                std::string(laplacian ? "first derivatives and of the Laplacian" : "derivatives") +
+                " at each particle",
             {{"place"}},
             {{{"error_first", {1e-6, 1e-12}},
               {laplacian ? "error_laplacian" : "error_second", {1e-6, 2e-10}},

@@ -1,17 +1,9 @@
 #include "solvers/sparse_spectrum.hpp"
 
 #include <algorithm>
-#include <string>
 
-#include "base/errors.hpp"
+#include "solvers/arnoldi.hpp"
 #include "solvers/sparse.hpp"
-
-// g++ 12 suspects Spectra of using memory that its own classes have freed.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpragmas"
-#pragma GCC diagnostic ignored "-Wunknown-warning-option"
-#pragma GCC diagnostic ignored "-Wuse-after-free"
-#include <Spectra/GenEigsSolver.h>
 
 namespace solvers {
 
@@ -36,15 +28,7 @@ struct InverseTimes {
 Eigen::VectorXcd largest_of_inverse(const SparseRows& K, const SparseRows& M, Eigen::Index count) {
     const SparseFactors factors(K);
     InverseTimes inverse{factors, M};
-    Spectra::GenEigsSolver<InverseTimes> solver(inverse, count, std::min(K.rows(), 2 * count + 20));
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10);
-    if (solver.info() != Spectra::CompInfo::Successful)
-        throw base::FailedComputation("the lowest " + std::to_string(count) + " eigenvalues of a matrix of " +
-                                      std::to_string(K.rows()) + " rows were not found");
-    return solver.eigenvalues();
+    return arnoldi(inverse, count, std::min(K.rows(), 2 * count + 20)).eigenvalues();
 }
 
 }  // namespace solvers
-
-#pragma GCC diagnostic pop

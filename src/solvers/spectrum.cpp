@@ -6,13 +6,7 @@
 #include <string>
 
 #include "base/errors.hpp"
-
-// g++ 12 suspects Spectra of using memory that its own classes have freed.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpragmas"
-#pragma GCC diagnostic ignored "-Wunknown-warning-option"
-#pragma GCC diagnostic ignored "-Wuse-after-free"
-#include <Spectra/GenEigsSolver.h>
+#include "solvers/arnoldi.hpp"
 
 namespace solvers {
 
@@ -63,15 +57,8 @@ std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::MatrixXd M) 
 
 Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count) {
     Inverse inverse{factors, N};
-    Spectra::GenEigsSolver<Inverse> solver(inverse, count, std::min(N, 2 * count + 2));
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10);
-    if (solver.info() != Spectra::CompInfo::Successful)
-        throw base::FailedComputation("the lowest " + std::to_string(count) + " eigenvalues of a matrix of " +
-                                      std::to_string(N) + " rows were not found");
+    const auto solver = arnoldi(inverse, count, std::min(N, 2 * count + 2));
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 }  // namespace solvers
-
-#pragma GCC diagnostic pop

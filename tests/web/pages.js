@@ -123,8 +123,8 @@ const shown = `({ command: document.querySelector(".command").textContent, messa
         console.log(`${page}: first figure after ${times[0]} ms, then ${redraws[0]} to ${redraws[redraws.length - 1]} ms`);
     }
 
-    // A command that takes long shows how far it is, leaves the page to its reader, and is given up for another.
-    await browser.open(`file://${root}/live_figure_2.html#particles=200000,400000`, 1400, 900);
+    // A command that takes minutes shows how far it is, leaves the page to its reader, and is given up for another.
+    await browser.open(`file://${root}/live_figure_2.html#particles=100000:50000:800000`, 1400, 900);
     await browser.until(`!document.querySelector("progress").hidden && document.querySelector("progress").value > 0`);
     await browser.evaluate(change(["particles", "10,20"]));
     await settled();
