@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "particles/local_system.hpp"
 #include "particles/multi_index.hpp"
 #include "particles/operators.hpp"
 #include "solvers/cholesky.hpp"
@@ -27,8 +26,7 @@ struct LeastSquares {
         }
         const Eigen::MatrixXd weighted = (W * V).matrix().asDiagonal() * P;
         const solvers::Cholesky<double> factors(P.transpose().lazyProduct(weighted));
-        const Eigen::ArrayXXd weights =
-            particles::solved<solvers::Cholesky<double>, double>(factors, weighted.transpose());
+        const Eigen::ArrayXXd weights = factors.solve(weighted.transpose());
         return {weights.topRows(dim).transpose(), weights.bottomRows(n - dim).transpose()};
     }
 };

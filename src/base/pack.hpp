@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "base/vector_width.hpp"
@@ -31,6 +32,13 @@ struct Pack {
         Pack loaded{};
         __builtin_memcpy(&loaded.values, first, sizeof(Vector));
         return loaded;
+    }
+    /// Writes the first lanes to an address.
+    void store(double* first, std::ptrdiff_t count = lanes) const {
+        if (count == lanes)
+            __builtin_memcpy(first, &values, sizeof(Vector));
+        else
+            for (std::ptrdiff_t lane = 0; lane < count; ++lane) first[lane] = values[lane];
     }
     [[nodiscard]] double operator[](int lane) const { return values[lane]; }
 

@@ -13,6 +13,7 @@
 
 #include "base/errors.hpp"
 #include "particles/local_system.hpp"
+#include "particles/moments.hpp"
 #include "particles/multi_index.hpp"
 #include "particles/neighbourhood.hpp"
 #include "particles/operators.hpp"
@@ -64,11 +65,8 @@ using particles::Neighbourhood;
 using particles::order;
 using particles::terms;
 
-/// A row for each monomial, a column for each particle of a support: H, D and K. Stored by rows, so that
-/// loops over the particles run through memory in order. Sizes are not part of the types: all dimensions and
-/// degrees share them, which halves the time to compile.
-template <class Scalar>
-using Table = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// A row for each monomial, a column for each particle of a support: H, D and K.
+using particles::Table;
 
 /// The matrix C of the fit, an entry of Q for each monomial, and the monomials of one offset. There are at
 /// most 20 monomials, those of degree 3 in space.
@@ -84,44 +82,6 @@ template <int dim>
 using Derivatives = std::function<double(const Exponents<dim>&)>;
 
 namespace detail {
-
-/// Index of the monomial with one factor fewer of a coordinate; −1 if it has no such factor.
-template <int dim, int m>
-constexpr int lowered(int monomial, int axis) {
-    constexpr auto all = monomials<dim, m>();
-    Exponents<dim> wanted = all[static_cast<std::size_t>(monomial)];
-    if (wanted[static_cast<std::size_t>(axis)] == 0) return -1;
-    --wanted[static_cast<std::size_t>(axis)];
-    for (int k = 0; k < terms<dim, m>; ++k)
-        if (all[static_cast<std::size_t>(k)] == wanted) return k;
-    return -1;
-}
-
-/// The first coordinate in a monomial.
-template <int dim, int m>
-constexpr int leading(int monomial) {
-    constexpr auto all = monomials<dim, m>();
-    int axis = 0;
-    while (axis < dim - 1 && all[static_cast<std::size_t>(monomial)][static_cast<std::size_t>(axis)] == 0)
-        ++axis;
-    return axis;
-}
-
-/// A monomial as the product of an earlier one and a coordinate.
-struct Product {
-    int monomial, axis;
-};
-
-/// The products of all monomials but the first, the constant.
-template <int dim, int m>
-constexpr std::array<Product, terms<dim, m>> products() {
-    std::array<Product, terms<dim, m>> all{};
-    for (int k = 1; k < terms<dim, m>; ++k) {
-        const int axis = leading<dim, m>(k);
-        all[static_cast<std::size_t>(k)] = {lowered<dim, m>(k, axis), axis};
-    }
-    return all;
-}
 
 /// A value for each monomial, in their order.
 template <int dim, int m, class Value>
@@ -231,12 +191,13 @@ Matrix<Scalar> summed(const Table<Scalar>& H, const Column<Scalar>& W) {
 /// \param s offsets, a row for each particle
 template <int dim, int m, class Scalar>
 Table<Scalar> H(const Eigen::Array<Scalar, Eigen::Dynamic, dim>& s) {
-    static constexpr auto products = detail::products<dim, m>();
+    static constexpr auto factors = particles::factors_of_monomials<dim, m>();
     Table<Scalar> all(terms<dim, m>, s.rows());
     all.row(0).setOnes();
     for (Index k = 1; k < all.rows(); ++k) {
-        const auto [lower, axis] = products[static_cast<std::size_t>(k)];
-        all.row(k).array() = all.row(lower).array() * s.col(axis).transpose();
+        const auto [lower, axis] = factors[static_cast<std::size_t>(k)];
+        all.row(k).array() =
+            all.row(static_cast<Index>(lower)).array() * s.col(static_cast<Index>(axis)).transpose();
     }
     return all;
 }
@@ -307,18 +268,21 @@ class Basis {
     [[nodiscard]] Column<Scalar> DK(Index I, int axis) const;
 
     /// The matrix of the fit, \eq{B2.9}.
-    [[nodiscard]] const Matrix<Scalar>& matrix() const { return C_; }
+    [[nodiscard]] const auto& matrix() const { return C_; }
 
   private:
+    using Factors = solvers::Cholesky<Scalar, n>;
+    using Coefficients = typename Factors::Vector;
+
     /// Smallest pivot of C, relative to the diagonal: with a smaller one a second derivative loses half of
     /// its digits.
     static constexpr double singular = 1e-10;
     /// Smallest sum of W whose inverse, over the smallest pivot, does not overflow.
     static constexpr double least_sum = 1e-150;
 
-    /// \f$P\,a\f$ for each particle.
-    [[nodiscard]] Column<Scalar> P_times(const Vector<Scalar>& a) const {
-        return H_.transpose().lazyProduct(a).array();
+    /// \f$P\,a\f$ for each particle, times a factor of each.
+    [[nodiscard]] Column<Scalar> P_times(const Coefficients& a, const Column<Scalar>& factor) const {
+        return particles::polynomial<dim, m>(a, near_.r, factor);
     }
     /// h to the order of the derivative in an entry of Q.
     [[nodiscard]] Scalar unit(Index I) const {
@@ -328,14 +292,15 @@ class Basis {
         return power;
     }
 
-    [[nodiscard]] static Vector<Scalar> T(Index I, int axis);
+    /// The column of \f$C^{-1}\f$ that belongs to an entry of Q.
+    [[nodiscard]] Coefficients of_entry(Index I) const { return factors_.solve(Coefficients::Unit(I - 1)); }
+    [[nodiscard]] static Coefficients T(Index I, int axis);
 
     Neighbourhood<Scalar, dim> near_;
     std::vector<int> particle_;
     Scalar h_;
-    Table<Scalar> H_, D_;
-    Matrix<Scalar> C_;
-    solvers::Cholesky<Scalar> factors_;
+    typename Factors::Matrix C_;
+    Factors factors_;
 };
 
 template <int dim, int m, class Scalar>
@@ -343,14 +308,11 @@ Basis<dim, m, Scalar>::Basis(Neighbourhood<Scalar, dim> near, std::vector<int> p
     : near_(std::move(near)),
       particle_(std::move(particle)),
       h_(h),
-      H_(H<dim, m, Scalar>(near_.r)),
-      D_(D<Scalar>(H_, near_.W)),
-      C_(C<Scalar>(D_, H_)),
+      C_(particles::moment_matrix<dim, m>(near_.r, near_.W)),
       factors_(C_) {
     if (!(C_(0, 0) > least_sum)) throw particles::SingularNeighbourhood("the kernel's values underflow");
     // A pivot that vanishes beside its diagonal entry belongs to a monomial that the earlier ones determine.
-    const auto pivots = factors_.L().diagonal().array().square();
-    if (!factors_.succeeded() || !(pivots > singular * C_.diagonal().array()).all())
+    if (!(factors_.pivots().array() > singular * C_.diagonal().array()).all())
         throw particles::SingularNeighbourhood(solvers::reciprocal_condition(C_.template cast<double>()));
 }
 
@@ -359,9 +321,9 @@ Basis<dim, m, Scalar>::Basis(Neighbourhood<Scalar, dim> near, std::vector<int> p
 /// \return a row for each entry of Q [1/length to the order of its derivative]
 template <int dim, int m, class Scalar>
 Table<Scalar> Basis<dim, m, Scalar>::K() const {
-    Vector<Scalar> per_unit(n);
-    for (Index I = 1; I <= n; ++I) per_unit[I - 1] = 1 / unit(I);
-    return per_unit.asDiagonal() * particles::solved(factors_, D_);
+    auto C_inverse = factors_.solve(Factors::Matrix::Identity());
+    for (Index I = 1; I <= n; ++I) C_inverse.row(I - 1) /= unit(I);
+    return particles::polynomials<dim, m>(C_inverse, near_.r, near_.W);
 }
 
 /// A row of K, \eq{B2.11}, from one solution with C: \f$K_{IJ} = W_J\,P_J\,C^{-1} e_I\f$, since C is
@@ -370,24 +332,24 @@ Table<Scalar> Basis<dim, m, Scalar>::K() const {
 /// \return weights [1/length to the order of the derivative]
 template <int dim, int m, class Scalar>
 Column<Scalar> Basis<dim, m, Scalar>::row(Index I) const {
-    return near_.W * P_times(factors_.solve(Vector<Scalar>::Unit(n, I - 1)) / unit(I));
+    return P_times(of_entry(I) / unit(I), near_.W);
 }
 
 /// Column I of the matrix T in \f$\partial H = T\,H\f$, in units of h: as the place moves, a monomial of the
 /// offset changes by minus its exponent times the monomial with one factor fewer.
 template <int dim, int m, class Scalar>
-Vector<Scalar> Basis<dim, m, Scalar>::T(Index I, int axis) {
+auto Basis<dim, m, Scalar>::T(Index I, int axis) -> Coefficients {
     static constexpr auto lowered = [] {
         std::array<std::array<int, n>, dim> table{};
         for (int along = 0; along < dim; ++along)
             for (int k = 0; k < n; ++k)
                 table[static_cast<std::size_t>(along)][static_cast<std::size_t>(k)] =
-                    detail::lowered<dim, m>(k, along);
+                    particles::lowered<dim, m>(k, along);
         return table;
     }();
     static constexpr auto exponents = monomials<dim, m>();
     const auto coordinate = static_cast<std::size_t>(axis);
-    Vector<Scalar> column = Vector<Scalar>::Zero(n);
+    Coefficients column = Coefficients::Zero();
     for (std::size_t k = 1; k < n; ++k)
         if (lowered[coordinate][k] == I - 1) column[static_cast<Index>(k)] = -exponents[k][coordinate];
     return column;
@@ -403,12 +365,11 @@ template <int dim, int m, class Scalar>
 Column<Scalar> Basis<dim, m, Scalar>::DK(Index I, int axis) const {
     if (near_.DW.rows() == 0)
         throw base::InvalidInput("this SSPH basis was made without the kernel's gradient");
-    const Column<Scalar>& W = near_.W;
     const Column<Scalar> DW = -near_.DW.col(axis);  // with respect to the place, not to the particle
-    const Vector<Scalar> a = factors_.solve(Vector<Scalar>::Unit(n, I - 1));
-    const Column<Scalar> p = P_times(a);
-    const Vector<Scalar> DC_a = T(I, axis) + H_.lazyProduct((DW * p).matrix());
-    return (DW * p - W * P_times(factors_.solve(DC_a))) / (unit(I) * h_);
+    const Column<Scalar> DW_p = P_times(of_entry(I), DW);
+    const auto H_DW_p = particles::moments<dim, m>(near_.r, DW_p);
+    const Coefficients DC_a = T(I, axis) + Coefficients(H_DW_p.data());
+    return (DW_p - P_times(factors_.solve(DC_a), near_.W)) / (unit(I) * h_);
 }
 
 /// \f$K_{IJ}\f$, a row of \eq{B2.11}: `K<4>(basis)` is \f$K_{4J}\f$.

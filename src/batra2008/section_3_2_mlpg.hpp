@@ -251,86 +251,73 @@ inline Block operator*(const TestMatrix& M, const Block& R) {
     return {m[0] * R.K11, m[0] * R.K12, m[1] * R.K21, m[1] * R.K22};
 }
 
-/// A matrix times T, for each neighbour.
-inline Block operator*(const Eigen::Matrix<double, 2, 3>& A, const GradientWeights& T) {
-    const auto& [K2, K3] = T;
-    return {A(0, 0) * K2 + A(0, 2) * K3, A(0, 1) * K3 + A(0, 2) * K2, A(1, 0) * K2 + A(1, 2) * K3,
-            A(1, 1) * K3 + A(1, 2) * K2};
+/// A matrix times T, for each neighbour; the product is not yet computed.
+struct Product {
+    Eigen::Matrix<double, 2, 3> A;
+    GradientWeights T;
+};
+inline Product operator*(const Eigen::Matrix<double, 2, 3>& A, const GradientWeights& T) {
+    return {A, T};
 }
 
-/// A difference of blocks, whose terms are added to a sum one after the other.
+/// A block less such a product, whose terms are added to a sum one after the other.
 struct Difference {
-    Block plus, minus;
+    Block plus;
+    Product minus;
 };
-inline Difference operator-(const Block& plus, const Block& minus) {
+inline Difference operator-(const Block& plus, const Product& minus) {
     return {plus, minus};
 }
 
 namespace detail {
 
-/// Adds a block on some particles, times a weight, to one on more particles.
-/// \param particle, among numbers in increasing order
-inline void add(Block& sum, const std::vector<int>& among, double weight, const Block& block,
-                const std::vector<int>& particle) {
-    Index to = 0;
-    for (Index from = 0; from < block.K11.size(); ++from, ++to) {
-        while (among[static_cast<std::size_t>(to)] != particle[static_cast<std::size_t>(from)]) ++to;
-        sum.K11[to] += weight * block.K11[from];
-        sum.K12[to] += weight * block.K12[from];
-        sum.K21[to] += weight * block.K21[from];
-        sum.K22[to] += weight * block.K22[from];
-    }
+/// Adds a block to a sum, times a weight.
+inline void add(Block& sum, double weight, const Block& block) {
+    sum.K11 += weight * block.K11;
+    sum.K12 += weight * block.K12;
+    sum.K21 += weight * block.K21;
+    sum.K22 += weight * block.K22;
 }
-inline void add(Block& sum, const std::vector<int>& among, double weight, const Difference& blocks,
-                const std::vector<int>& particle) {
-    add(sum, among, weight, blocks.plus, particle);
-    add(sum, among, -weight, blocks.minus, particle);
+inline void add(Block& sum, double weight, const Product& product) {
+    const Eigen::Matrix<double, 2, 3> A = weight * product.A;
+    const auto& [K2, K3] = product.T;
+    sum.K11 += A(0, 0) * K2 + A(0, 2) * K3;
+    sum.K12 += A(0, 1) * K3 + A(0, 2) * K2;
+    sum.K21 += A(1, 0) * K2 + A(1, 2) * K3;
+    sum.K22 += A(1, 1) * K3 + A(1, 2) * K2;
+}
+inline void add(Block& sum, double weight, const Difference& blocks) {
+    add(sum, weight, blocks.plus);
+    add(sum, -weight, blocks.minus);
 }
 
 }  // namespace detail
-
-/// The particles whose basis functions may enter the equations of one particle.
-/// \tparam m degree of the monomials
-template <int m>
-struct Near {
-    const Cloud<2>& cloud;
-    const Kernel& kernel;
-    double h;                       ///< smoothing length [length]
-    const std::vector<int>& among;  ///< in increasing order
-    ssph_basis::Slopes slopes;      ///< known, if the values' basis functions will be differentiated
-    const Column<double>& lengths;  ///< smoothing length of each particle
-
-    [[nodiscard]] ssph_basis::Basis<2, m> basis_at(const Point<2>& x) const {
-        return ssph_basis::basis_at<m>(cloud, kernel, x, h, among, slopes, lengths);
-    }
-};
 
 /// The integral of a block over a part of a subdomain, as a rule that adds it to a sum point by point.
 template <int m, class QuadraturePoint, class Integrand>
 struct BlockIntegral {
     const std::vector<QuadraturePoint>& points;
-    const Near<m>& near;
+    const ssph_basis::BasesNear<2, m>& near;
     Integrand f;
 
     void add_to(Block& sum) const {
-        for (const QuadraturePoint& at : points) {
-            const auto basis = near.basis_at(at.x);
-            detail::add(sum, near.among, at.weight, f(at, basis), basis.particle());
-        }
+        for (const QuadraturePoint& at : points) detail::add(sum, at.weight, f(at, near.basis_at(at.x)));
     }
 };
 
+/// \param near the particles whose basis functions may enter the equations of one particle
 /// \param f value at a quadrature point, from the basis there
 template <int m, class QuadraturePoint, class Integrand>
 BlockIntegral<m, QuadraturePoint, Integrand> integral(const std::vector<QuadraturePoint>& points,
-                                                      const Near<m>& near, const Integrand& f) {
+                                                      const ssph_basis::BasesNear<2, m>& near,
+                                                      const Integrand& f) {
     return {points, near, f};
 }
 
 /// The sum of two integrals: a block over all particles that may enter.
 template <int m, class... A, class... B>
 Block operator+(const BlockIntegral<m, A...>& first, const BlockIntegral<m, B...>& second) {
-    const Column<double> zero = Column<double>::Zero(static_cast<Index>(first.near.among.size()));
+    const Column<double> zero = Column<double>::Zero(static_cast<Index>(first.near.particle().size()));
     Block sum{zero, zero, zero, zero};
     first.add_to(sum);
     second.add_to(sum);
@@ -361,8 +348,8 @@ inline std::vector<BoundaryPoint> on_Gamma_u(const Subdomain& Omega) {
 /// \param T from a basis, \eq{B3.21} or \eq{B3.26}
 /// \return a block over all particles of which the bases are made
 template <int m, class GradientOf>
-Block stiffness(const Subdomain& Omega, const Eigen::Matrix3d& D, double alpha, const Near<m>& near,
-                const GradientOf& T) {
+Block stiffness(const Subdomain& Omega, const Eigen::Matrix3d& D, double alpha,
+                const ssph_basis::BasesNear<2, m>& near, const GradientOf& T) {
     return integral(Omega.inside, near,
                     [&](const InnerPoint& at, const auto& basis) {
                         return LM(at.DW).transpose() * D * T(basis);
@@ -448,7 +435,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
     const auto slopes =
         form.gradient == Gradient::differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none;
     const auto basis_near = [&](Index I) {
-        return Near<m>{cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes, h};
+        return ssph_basis::BasesNear<2, m>(cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes, h);
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
     System all = system(

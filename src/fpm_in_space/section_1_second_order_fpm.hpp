@@ -29,7 +29,7 @@ template <int dim>
 inline constexpr double cut = dim == 2 ? 3.5 : 3;
 
 template <class Scalar>
-using Table = batra2008::ssph_basis::Table<Scalar>;
+using Table = particles::Table<Scalar>;
 template <class Scalar>
 using Matrix = typename solvers::Cholesky<Scalar>::Matrix;
 
@@ -148,8 +148,7 @@ inline constexpr double singular = 1e-10;
 template <class Scalar>
 solvers::Cholesky<Scalar> factors(const Matrix<Scalar>& A, const Column<Scalar>& diagonal) {
     solvers::Cholesky<Scalar> factors(A);
-    const Column<Scalar> pivots = factors.L().diagonal().array().square() / diagonal;
-    if (!factors.succeeded() || !(pivots > singular).all())
+    if (!(factors.pivots().array() > singular * diagonal).all())
         throw particles::SingularNeighbourhood(
             std::string("the monomials of degree 1 to 3 are not independent on them"));
     return factors;
@@ -180,7 +179,7 @@ Table<Scalar> corrections(const Table<Scalar>& q, const Matrix<Scalar>& moments)
     const auto factors = detail::factors<Scalar>(G, G.diagonal().array());
     const Table<Scalar> o_q = Table<Scalar>(moments(odd<dim>, Eigen::all)).lazyProduct(q.transpose());
     Table<Scalar> C = q;
-    C(Eigen::all, odd<dim>) -= particles::solved(factors, o_q).transpose();
+    C(Eigen::all, odd<dim>) -= factors.solve(o_q).transpose();
     return C;
 }
 
@@ -209,7 +208,7 @@ Table<Scalar> second(const Table<Scalar>& C, const Matrix<Scalar>& moments) {
     const Table<Scalar> to_p2 = moments(Eigen::all, quadratic<dim>);
     const auto factors =
         detail::factors<Scalar>(C.lazyProduct(to_p2), moments.diagonal()(quadratic<dim>).array());
-    return detail::factorials<dim, Scalar>().matrix().asDiagonal() * particles::solved(factors, C);
+    return detail::factorials<dim, Scalar>().matrix().asDiagonal() * factors.solve(C);
 }
 
 /// The first derivatives: the expansion projected on \f$p_1 W\f$, which is \f$-\tfrac12 DW\f$ of the
@@ -227,8 +226,7 @@ Table<Scalar> first(const Table<Scalar>& D2, const Matrix<Scalar>& moments) {
     const auto factors = detail::factors<Scalar>(M, M.diagonal().array());
     const Table<Scalar> known = moments(linear<dim>, quadratic<dim>) *
                                 detail::factorials<dim, Scalar>().inverse().matrix().asDiagonal();
-    return particles::solved<solvers::Cholesky<Scalar>, Scalar>(
-        factors, polynomials<Scalar, dim>(linear<dim>) - known.lazyProduct(D2));
+    return factors.solve(polynomials<Scalar, dim>(linear<dim>) - known.lazyProduct(D2));
 }
 
 /// Both derivatives of the method, as particles::assemble() takes them. On a line this is the formulation

@@ -17,7 +17,7 @@ Derivatives<Scalar, dim> ssph_with_value_given(const Neighbourhood<Scalar, dim>&
     const Table<Scalar> H = ssph::H<dim, m, Scalar>(near.r).bottomRows(terms<dim, m> - 1);
     const Table<Scalar> D = ssph::D<Scalar>(H, near.W * near.V);
     const solvers::Cholesky<Scalar> factors(ssph::C<Scalar>(D, H));
-    Table<Scalar> all = particles::solved(factors, D).topRows(dim + second_derivatives<dim>);
+    Table<Scalar> all = factors.solve(D).topRows(dim + second_derivatives<dim>);
     static constexpr auto a = particles::monomials<dim, 2>();
     for (Index n = 0; n < all.rows(); ++n)
         all.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));

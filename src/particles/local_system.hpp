@@ -41,23 +41,6 @@ Eigen::Matrix<Scalar, n, n> inverse(const Eigen::Matrix<Scalar, n, n>& A) {
     return A_inverse;
 }
 
-/// Solution X of A X = B, from the Cholesky factors of A = L Lᵀ, by substitution for all columns together.
-/// \param X B, stored by rows
-template <class Factors, class Scalar>
-Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> solved(
-    const Factors& factors, Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> X) {
-    const auto& L = factors.L();
-    for (Eigen::Index I = 0; I < X.rows(); ++I) {
-        for (Eigen::Index J = 0; J < I; ++J) X.row(I) -= L(I, J) * X.row(J);
-        X.row(I) *= 1 / L(I, I);
-    }
-    for (Eigen::Index I = X.rows() - 1; I >= 0; --I) {
-        for (Eigen::Index J = I + 1; J < X.rows(); ++J) X.row(I) -= L(J, I) * X.row(J);
-        X.row(I) *= 1 / L(I, I);
-    }
-    return X;
-}
-
 /// A sum that is a divisor, the 1 × 1 system.
 /// \throws SingularNeighbourhood where the sum is below 100 ε times the sum of its absolute terms
 template <class Terms>

@@ -32,7 +32,9 @@ constexpr std::array<Exponents<dim>, terms<dim, m>> monomials() {
                     all[count++][(axis + 1) % 3] = degree - first;
                 }
         if constexpr (dim == 3)
-            if (degree == 3) all[count++] = {1, 1, 1};
+            for (int first = degree - 2; first > 0; --first)
+                for (int second = degree - first - 1; second > 0; --second)
+                    all[count++] = {first, second, degree - first - second};
     }
     return all;
 }

@@ -1,34 +1,59 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include "base/vector_width.hpp"
 
 namespace solvers {
 
-/// Cholesky factors \f$A = L\,L^T\f$ of a small symmetric matrix, of 20 rows at most. They are compiled here,
-/// once for each scalar, since Eigen's factorisation takes long to compile.
-/// \tparam Scalar double, long double or base::Quad
-template <class Scalar>
+/// The factors \f$A = L\,\operatorname{diag}(p)\,L^T\f$ of a small symmetric matrix, Cholesky's without roots: p holds
+/// the pivots, and L has a diagonal of ones. Eigen's factors of a matrix that a local fit has take twice the time of
+/// these loops, and far longer to compile.
+/// \tparam Scalar a real type
+/// \tparam n number of rows; if it is not known when compiling, at most 20
+template <class Scalar, int n = Eigen::Dynamic>
 class Cholesky {
+    static constexpr int most = n == Eigen::Dynamic ? 20 : n;
+
   public:
-    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 20, 20>;
-    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1, Eigen::ColMajor, 20, 1>;
+    using Matrix = Eigen::Matrix<Scalar, n, n, Eigen::RowMajor, most, most>;
+    using Vector = Eigen::Matrix<Scalar, n, 1, Eigen::ColMajor, most, 1>;
 
-    /// \param A symmetric, n × n; only its lower triangle is read
-    explicit Cholesky(const Matrix& A);
+    /// \param A symmetric; only its upper triangle is read
+    explicit Cholesky(const Matrix& A) : U_(A), pivots_(A.rows()), per_pivot_(A.rows()) {
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            for (Eigen::Index k = 0; k < i; ++k) {
+                const Scalar factor = U_(k, i) * pivots_[k];
+                for (Eigen::Index j = i; j < size(); ++j) U_(i, j) -= factor * U_(k, j);
+            }
+            pivots_[i] = U_(i, i);
+            per_pivot_[i] = 1 / pivots_[i];
+            for (Eigen::Index j = i; j < size(); ++j) U_(i, j) *= per_pivot_[i];
+        }
+    }
 
-    /// Whether every pivot is positive.
-    [[nodiscard]] bool succeeded() const { return factors_.info() == Eigen::Success; }
+    [[nodiscard]] Eigen::Index size() const { return U_.rows(); }
 
-    /// L in the lower triangle; above it stands what is left of A.
-    [[nodiscard]] const Matrix& L() const { return factors_.matrixLLT(); }
+    /// p, the squares of the diagonal of Cholesky's own factor. All are positive if A is positive definite.
+    [[nodiscard]] const Vector& pivots() const { return pivots_; }
 
-    /// \return x of \f$A x = b\f$
-    [[nodiscard]] Vector solve(const Vector& b) const;
+    /// Solution X of \f$A X = B\f$, for all columns together.
+    /// \param B a vector, or a matrix whose columns are many and stored by rows
+    template <class Columns>
+    [[nodiscard]] typename Columns::PlainObject solve(const Eigen::MatrixBase<Columns>& B) const {
+        typename Columns::PlainObject X = B;
+        for (Eigen::Index i = 0; i < size(); ++i)
+            for (Eigen::Index k = 0; k < i; ++k) X.row(i) -= U_(k, i) * X.row(k);
+        for (Eigen::Index i = size() - 1; i >= 0; --i) {
+            X.row(i) *= per_pivot_[i];
+            for (Eigen::Index k = i + 1; k < size(); ++k) X.row(i) -= U_(i, k) * X.row(k);
+        }
+        return X;
+    }
 
   private:
-    Eigen::LLT<Matrix> factors_;
+    Matrix U_;  // Lᵀ
+    Vector pivots_, per_pivot_;
 };
 
 }  // namespace solvers

@@ -9,14 +9,6 @@
 #include "tests/benchmarks/counted.hpp"
 #include "tests/benchmarks/report.hpp"
 
-// The factorisation is compiled for real scalars only.
-template <>
-solvers::Cholesky<benchmarks::Counted>::Cholesky(const Matrix& A) : factors_(A) {}
-template <>
-auto solvers::Cholesky<benchmarks::Counted>::solve(const Vector& b) const -> Vector {
-    return factors_.solve(b);
-}
-
 namespace benchmarks {
 
 namespace {

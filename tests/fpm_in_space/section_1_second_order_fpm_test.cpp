@@ -116,7 +116,7 @@ TEST_CASE(
                   1e-10 * product(o, o, products).cwiseAbs().maxCoeff());
             const Table<double> M = product(C, p2, products);
             CHECK((M - M.transpose()).cwiseAbs().maxCoeff() < 1e-10 * M.cwiseAbs().maxCoeff());
-            CHECK(solvers::Cholesky<double>(M).succeeded());
+            CHECK((solvers::Cholesky<double>(M).pivots().array() > 0).all());
         }
         CHECK(odd<dim>.size() == std::array{2, 6, 13}.at(dim - 1));
     });
