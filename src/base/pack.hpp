@@ -33,6 +33,12 @@ struct Pack {
         __builtin_memcpy(&loaded.values, first, sizeof(Vector));
         return loaded;
     }
+    /// Fewer numbers, and zeros in the other lanes.
+    static Pack from(const double* first, std::ptrdiff_t count) {
+        Pack loaded(0.0);
+        for (std::ptrdiff_t lane = 0; lane < count; ++lane) loaded.values[lane] = first[lane];
+        return loaded;
+    }
     /// Writes the first lanes to an address.
     void store(double* first, std::ptrdiff_t count = lanes) const {
         if (count == lanes)

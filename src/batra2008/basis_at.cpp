@@ -31,7 +31,7 @@ template <int m, int dim>
 Basis<dim, m> basis_on(particles::Support<dim> support, const particles::TruncatedGaussian<dim>& kernel,
                        double h, Slopes slopes) {
     Neighbourhood<double, dim> near{std::move(support.r), {}, {}, {}};
-    near.W = kernel.at(support.r_squared.head(near.r.rows()));
+    near.W = kernel.at(particles::squared_lengths(near.r));
     if (slopes == Slopes::known)  // inside the support, ∂W/∂s = −2 s (W + edge)
         near.DW = near.r.colwise() * (-2 * (near.W + kernel.edge()));
     return Basis<dim, m>(std::move(near), std::move(support.particle), h);

@@ -246,7 +246,9 @@ Scalar determinant(const Table<Scalar>& H, const Column<Scalar>& W) {
     });
 }
 
-/// The basis functions at a place, one set for each entry of Q.
+/// The basis functions at a place, one set for each entry of Q. Neither H nor D is stored: an entry of C is a moment of
+/// the particles, since the product of two monomials is a monomial, and a basis function is W times a polynomial
+/// whose coefficients are a row of \f$C^{-1}\f$.
 /// \tparam dim dimension of space, 1 to 3
 /// \tparam m degree of the complete monomials, 1 to 3
 template <int dim, int m, class Scalar = double>
@@ -293,7 +295,7 @@ class Basis {
     }
 
     /// The column of \f$C^{-1}\f$ that belongs to an entry of Q.
-    [[nodiscard]] Coefficients of_entry(Index I) const { return factors_.solve(Coefficients::Unit(I - 1)); }
+    [[nodiscard]] Coefficients C_inverse(Index I) const { return factors_.solve(Coefficients::Unit(I - 1)); }
     [[nodiscard]] static Coefficients T(Index I, int axis);
 
     Neighbourhood<Scalar, dim> near_;
@@ -321,9 +323,9 @@ Basis<dim, m, Scalar>::Basis(Neighbourhood<Scalar, dim> near, std::vector<int> p
 /// \return a row for each entry of Q [1/length to the order of its derivative]
 template <int dim, int m, class Scalar>
 Table<Scalar> Basis<dim, m, Scalar>::K() const {
-    auto C_inverse = factors_.solve(Factors::Matrix::Identity());
-    for (Index I = 1; I <= n; ++I) C_inverse.row(I - 1) /= unit(I);
-    return particles::polynomials<dim, m>(C_inverse, near_.r, near_.W);
+    auto inverse = factors_.solve(Factors::Matrix::Identity());
+    for (Index I = 1; I <= n; ++I) inverse.row(I - 1) /= unit(I);
+    return particles::polynomials<dim, m>(inverse, near_.r, near_.W);
 }
 
 /// A row of K, \eq{B2.11}, from one solution with C: \f$K_{IJ} = W_J\,P_J\,C^{-1} e_I\f$, since C is
@@ -332,7 +334,7 @@ Table<Scalar> Basis<dim, m, Scalar>::K() const {
 /// \return weights [1/length to the order of the derivative]
 template <int dim, int m, class Scalar>
 Column<Scalar> Basis<dim, m, Scalar>::row(Index I) const {
-    return P_times(of_entry(I) / unit(I), near_.W);
+    return P_times(C_inverse(I) / unit(I), near_.W);
 }
 
 /// Column I of the matrix T in \f$\partial H = T\,H\f$, in units of h: as the place moves, a monomial of the
@@ -366,7 +368,7 @@ Column<Scalar> Basis<dim, m, Scalar>::DK(Index I, int axis) const {
     if (near_.DW.rows() == 0)
         throw base::InvalidInput("this SSPH basis was made without the kernel's gradient");
     const Column<Scalar> DW = -near_.DW.col(axis);  // with respect to the place, not to the particle
-    const Column<Scalar> DW_p = P_times(of_entry(I), DW);
+    const Column<Scalar> DW_p = P_times(C_inverse(I), DW);
     const auto H_DW_p = particles::moments<dim, m>(near_.r, DW_p);
     const Coefficients DC_a = T(I, axis) + Coefficients(H_DW_p.data());
     return (DW_p - P_times(factors_.solve(DC_a), near_.W)) / (unit(I) * h_);

@@ -7,6 +7,7 @@
 #include "base/quad.hpp"
 #include "batra2008/section_2_ssph_basis.hpp"
 #include "particles/local_system.hpp"
+#include "particles/moments.hpp"
 #include "particles/multi_index.hpp"
 #include "particles/neighbourhood.hpp"
 #include "particles/operators.hpp"
@@ -122,10 +123,9 @@ Table<Scalar> polynomials(const std::array<int, count>& places) {
 
 /// The products of the monomials over the neighbours, \f$\langle p, p^T\rangle\f$: the matrix \eq{B2.9} of
 /// SSPH with W V in the place of W.
-/// \param p monomials_of() \param WV W times V of each neighbour
-template <class Scalar>
-Matrix<Scalar> moments(const Table<Scalar>& p, const Column<Scalar>& WV) {
-    return batra2008::ssph_basis::C<Scalar>(batra2008::ssph_basis::D<Scalar>(p, WV), p);
+template <class Scalar, int dim>
+Matrix<Scalar> moments(const Neighbourhood<Scalar, dim>& near) {
+    return particles::moment_matrix<dim, 3>(near.r, Column<Scalar>(near.W * near.V));
 }
 
 /// The products of two sets of functions over the neighbours. \defeq{F2}
@@ -185,11 +185,12 @@ Table<Scalar> corrections(const Table<Scalar>& q, const Matrix<Scalar>& moments)
 
 /// The kernels at the neighbours, times the volumes, as \eq{A39}. \defeq{F4}
 /// \f[ K_m = C_m\,W \tag{F4} \f]
-/// \param C a row for each polynomial \param p monomials_of() \param WV W times V of each neighbour
+/// \param C a row for each polynomial \param r offsets of the neighbours \param WV W times V of each
 /// \return a row for each polynomial, a column for each neighbour
-template <class Scalar>
-Table<Scalar> kernels(const Table<Scalar>& C, const Table<Scalar>& p, const Column<Scalar>& WV) {
-    return C.lazyProduct(p) * WV.matrix().asDiagonal();
+template <int dim, class Scalar>
+Table<Scalar> kernels(const Table<Scalar>& C, const particles::Offsets<Scalar, dim>& r,
+                      const Column<Scalar>& WV) {
+    return particles::polynomials<dim, 3>(C, r, WV);
 }
 
 /// The second derivatives: the expansion projected on the kernels, whose terms of odd degree vanish.
@@ -237,11 +238,12 @@ Table<Scalar> first(const Table<Scalar>& D2, const Matrix<Scalar>& moments) {
 template <class Scalar, int dim>
 Derivatives<Scalar, dim> derivatives(const Neighbourhood<Scalar, dim>& near) {
     const Column<Scalar> WV = near.W * near.V;
-    const Table<Scalar> p = monomials_of(near), p2 = polynomials<Scalar, dim>(quadratic<dim>);
-    const Matrix<Scalar> products = moments(p, WV);
+    const Table<Scalar> p2 = polynomials<Scalar, dim>(quadratic<dim>);
+    const Matrix<Scalar> products = moments(near);
     const Table<Scalar> D2 = second<dim>(corrections<dim>(p2, products), products),
                         D = first<dim>(D2, products);
-    return {kernels(D, p, WV).transpose().array(), kernels(D2, p, WV).transpose().array()};
+    return {kernels<dim>(D, near.r, WV).transpose().array(),
+            kernels<dim>(D2, near.r, WV).transpose().array()};
 }
 
 // Compiled once, in section_1_second_order_fpm.cpp.

@@ -134,7 +134,7 @@ template <class Scalar, int dim>
 Table<Scalar> harmonic_kernels(const Neighbourhood<Scalar, dim>& near) {
     const auto& [r, W, DW, V] = near;
     Table<Scalar> all(unknowns<dim>, W.size());
-    all << kernels(constant_and_harmonic<Scalar, dim>(), monomials_of(near), W), DW.matrix().transpose();
+    all << kernels<dim>(constant_and_harmonic<Scalar, dim>(), r, W), DW.matrix().transpose();
     return all * V.matrix().asDiagonal();
 }
 
@@ -176,14 +176,13 @@ Table<Scalar> derivative(const Table<Scalar>& f, int axis) {
 template <class Scalar, int dim>
 Table<Scalar> corrected_kernels(const Neighbourhood<Scalar, dim>& near) {
     const auto& [r, W, DW, V] = near;
-    const Table<Scalar> p = monomials_of(near);
-    const Table<Scalar> C = corrections<dim>(constant_and_harmonic<Scalar, dim>(), moments<Scalar>(p, W * V)),
+    const Table<Scalar> C = corrections<dim>(constant_and_harmonic<Scalar, dim>(), moments(near)),
                         C_1 = C.topRows(1);
     Table<Scalar> all(unknowns<dim>, W.size());
-    all.topRows(C.rows()) = kernels<Scalar>(C, p, W);
+    all.topRows(C.rows()) = kernels<dim>(C, r, W);
     for (int axis = 0; axis < dim; ++axis)
-        all.row(C.rows() + axis) =
-            kernels<Scalar>(derivative<dim>(C_1, axis), p, W) + kernels<Scalar>(C_1, p, DW.col(axis));
+        all.row(C.rows() + axis) = kernels<dim>(derivative<dim>(C_1, axis), r, W) +
+                                   kernels<dim>(C_1, r, Column<Scalar>(DW.col(axis)));
     return all * V.matrix().asDiagonal();
 }
 

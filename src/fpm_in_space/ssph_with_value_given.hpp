@@ -1,7 +1,8 @@
 #pragma once
 
-#include "batra2008/section_2_ssph_basis.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
+#include "particles/moments.hpp"
+#include "solvers/cholesky.hpp"
 
 namespace fpm_in_space {
 
@@ -13,14 +14,17 @@ namespace fpm_in_space {
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
 template <int m, class Scalar, int dim>
 Derivatives<Scalar, dim> ssph_with_value_given(const Neighbourhood<Scalar, dim>& near) {
-    namespace ssph = batra2008::ssph_basis;
-    const Table<Scalar> H = ssph::H<dim, m, Scalar>(near.r).bottomRows(terms<dim, m> - 1);
-    const Table<Scalar> D = ssph::D<Scalar>(H, near.W * near.V);
-    const solvers::Cholesky<Scalar> factors(ssph::C<Scalar>(D, H));
-    Table<Scalar> all = factors.solve(D).topRows(dim + second_derivatives<dim>);
+    constexpr int n = terms<dim, m> - 1, wanted = dim + second_derivatives<dim>;
+    const Column<Scalar> WV = near.W * near.V;
+    const solvers::Cholesky<Scalar, n> factors(
+        particles::moment_matrix<dim, m>(near.r, WV).template bottomRightCorner<n, n>());
+    using Rows = Eigen::Matrix<Scalar, wanted, n + 1, Eigen::RowMajor>;
+    Rows q = Rows::Zero();
+    q.template rightCols<n>() = factors.solve(Eigen::Matrix<Scalar, n, wanted>::Identity()).transpose();
     static constexpr auto a = particles::monomials<dim, 2>();
-    for (Index n = 0; n < all.rows(); ++n)
-        all.row(n) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + n)]));
+    for (Index k = 0; k < wanted; ++k)
+        q.row(k) *= Scalar(particles::factorial<dim>(a[static_cast<std::size_t>(1 + k)]));
+    const Table<Scalar> all = particles::polynomials<dim, m>(q, near.r, WV);
     return {all.topRows(dim).transpose().array(),
             all.bottomRows(second_derivatives<dim>).transpose().array()};
 }

@@ -68,29 +68,32 @@ using Lanes = std::conditional_t<std::is_same_v<Scalar, double>, Pack, Scalar>;
 template <class Scalar>
 inline constexpr Index lanes = std::is_same_v<Scalar, double> ? Pack::lanes : 1;
 
-/// Calls `visit(first, count, r, w)` for each group of neighbours, with zeros beyond the last neighbour.
-template <int dim, class Scalar, class Visit>
+/// Whether a neighbour may be visited with two groups.
+enum class Again { no, yes };
+
+/// Calls `visit(first, count, r, w)` for each group of neighbours. The last one may reach back into the group
+/// before; otherwise it is filled with zeros.
+template <Again again, int dim, class Scalar, class Visit>
 void for_each_group(const Offsets<Scalar, dim>& r, const Column<Scalar>& w, const Visit& visit) {
-    const Index N = w.size(), whole = N - N % lanes<Scalar>;
+    constexpr Index size = lanes<Scalar>;
+    const Index N = w.size(), rest = N % size;
     const auto visit_group = [&](Index first, Index count, const auto& loaded) {
         std::array<Lanes<Scalar>, dim> r_group;
         for (std::size_t axis = 0; axis < dim; ++axis)
             r_group[axis] = loaded(r.data() + static_cast<Index>(axis) * r.rows() + first);
         visit(first, count, r_group, loaded(w.data() + first));
     };
-    if constexpr (lanes<Scalar> == 1) {
+    if constexpr (size == 1) {
         for (Index first = 0; first < N; ++first)
             visit_group(first, 1, [](const Scalar* from) { return *from; });
     } else {
-        for (Index first = 0; first < whole; first += Pack::lanes)
-            visit_group(first, Pack::lanes, [](const double* from) { return Pack::from(from); });
-        const Index rest = N - whole;
-        if (rest > 0)
-            visit_group(whole, rest, [rest](const double* from) {
-                Pack part(0.0);
-                for (Index lane = 0; lane < rest; ++lane) part.values[lane] = from[lane];
-                return part;
-            });
+        const auto whole = [](const double* from) { return Pack::from(from); };
+        const auto part = [rest](const double* from) { return Pack::from(from, rest); };
+        for (Index first = 0; first + size <= N; first += size) visit_group(first, size, whole);
+        if (rest > 0 && again == Again::yes && N > size)
+            visit_group(N - size, size, whole);
+        else if (rest > 0)
+            visit_group(N - rest, rest, part);
     }
 }
 
@@ -137,7 +140,7 @@ std::array<Scalar, terms<dim, m>> moments(const Offsets<Scalar, dim>& r, const C
     using Lanes = detail::Lanes<Scalar>;
     return [&]<std::size_t... k>(std::index_sequence<k...>) {
         std::array<Lanes, terms<dim, m>> sums{(static_cast<void>(k), Lanes(0.0))...};
-        detail::for_each_group<dim, Scalar>(
+        detail::for_each_group<detail::Again::no, dim, Scalar>(
             r, w, [&](Index, Index, const auto& r_group, const auto& w_group) {
                 const auto p = detail::monomials_at<dim, m, Lanes>(r_group, w_group);
                 ((sums[k] += p[k]), ...);
@@ -179,19 +182,19 @@ template <int dim, int m, class Scalar>
 void write_polynomials(const Scalar* q, Index count, const Offsets<Scalar, dim>& r, const Column<Scalar>& w,
                        Scalar* to) {
     using Lanes = detail::Lanes<Scalar>;
-    for_each_group<dim, Scalar>(r, w,
-                                [&](Index first, Index lanes, const auto& r_group, const auto& w_group) {
-                                    const auto p = monomials_at<dim, m, Lanes>(r_group, w_group);
-                                    for (Index row = 0; row < count; ++row) {
-                                        const Scalar* const c = q + row * terms<dim, m>;
-                                        Lanes sum = Lanes(c[0]) * p[0];
-                                        [&]<std::size_t... k>(std::index_sequence<k...>) {
-                                            ((sum += Lanes(c[1 + k]) * p[1 + k]), ...);
-                                        }
-                                        (std::make_index_sequence<terms<dim, m> - 1>{});
-                                        store(sum, to + row * w.size() + first, lanes);
-                                    }
-                                });
+    for_each_group<Again::yes, dim, Scalar>(
+        r, w, [&](Index first, Index lanes, const auto& r_group, const auto& w_group) {
+            const auto p = monomials_at<dim, m, Lanes>(r_group, w_group);
+            for (Index row = 0; row < count; ++row) {
+                const Scalar* const c = q + row * terms<dim, m>;
+                Lanes sum = Lanes(c[0]) * p[0];
+                [&]<std::size_t... k>(std::index_sequence<k...>) {
+                    ((sum += Lanes(c[1 + k]) * p[1 + k]), ...);
+                }
+                (std::make_index_sequence<terms<dim, m> - 1>{});
+                store(sum, to + row * w.size() + first, lanes);
+            }
+        });
 }
 
 }  // namespace detail
@@ -200,9 +203,9 @@ void write_polynomials(const Scalar* q, Index count, const Offsets<Scalar, dim>&
 /// \param q coefficients, a row for each polynomial, in the order of monomials()
 /// \param r offsets of the neighbours \param w factor of each
 /// \return a row for each polynomial, a column for each neighbour
-template <int dim, int m, class Scalar, int rows>
-Table<Scalar> polynomials(const Eigen::Matrix<Scalar, rows, terms<dim, m>, Eigen::RowMajor>& q,
-                          const Offsets<Scalar, dim>& r, const Column<Scalar>& w) {
+template <int dim, int m, class Coefficients, class Scalar>
+Table<Scalar> polynomials(const Coefficients& q, const Offsets<Scalar, dim>& r, const Column<Scalar>& w) {
+    static_assert(Coefficients::IsRowMajor);
     Table<Scalar> all(q.rows(), w.size());
     detail::write_polynomials<dim, m>(q.data(), q.rows(), r, w, all.data());
     return all;

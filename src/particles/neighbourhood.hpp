@@ -169,7 +169,6 @@ template <int dim>
 struct Support {
     std::vector<int> particle;
     Offsets<double, dim> r;
-    Column<double> r_squared;  ///< squared lengths of the offsets, in the first entries
 };
 
 /// Those of some particles of a cloud that lie in the kernel's support around a place.
@@ -177,22 +176,14 @@ struct Support {
 template <int dim>
 Support<dim> support_at(const Cloud<dim>& cloud, double edge, const Point<dim>& place, double h,
                         std::vector<int> among) {
-    const auto most = static_cast<Index>(among.size());
     const double per_h = 1 / h;
-    Offsets<double, dim> r(most, dim);
-    Column<double> r_squared(most);
-    Index count = 0;
-    for (const int j : among) {
-        const Eigen::Map<const Point<dim>> x(cloud.x().data() + dim * static_cast<Index>(j));
-        const Point<dim> offset = (x - place) * per_h;
-        for (Index axis = 0; axis < dim; ++axis) r(count, axis) = offset[axis];
-        r_squared[count] = offset.squaredNorm();
-        among[static_cast<std::size_t>(count)] = j;
-        count += r_squared[count] < edge * edge ? 1 : 0;
-    }
-    among.resize(static_cast<std::size_t>(count));
-    if (count < most) r.conservativeResize(count, Eigen::NoChange);
-    return {std::move(among), std::move(r), std::move(r_squared)};
+    const auto offset = [&](int j) -> Point<dim> { return (cloud.x().col(j) - place) * per_h; };
+    const auto beyond = std::remove_if(among.begin(), among.end(),
+                                       [&](int j) { return !(offset(j).squaredNorm() < edge * edge); });
+    among.erase(beyond, among.end());
+    Offsets<double, dim> r(static_cast<Index>(among.size()), dim);
+    for (Index k = 0; k < r.rows(); ++k) r.row(k) = offset(among[static_cast<std::size_t>(k)]).transpose();
+    return {std::move(among), std::move(r)};
 }
 
 /// The numbers of these particles.

@@ -42,11 +42,17 @@ class Cholesky {
     template <class Columns>
     [[nodiscard]] typename Columns::PlainObject solve(const Eigen::MatrixBase<Columns>& B) const {
         typename Columns::PlainObject X = B;
+        const auto row = [&X](Eigen::Index i) -> decltype(auto) {
+            if constexpr (Columns::ColsAtCompileTime == 1)
+                return X[i];
+            else
+                return X.row(i);
+        };
         for (Eigen::Index i = 0; i < size(); ++i)
-            for (Eigen::Index k = 0; k < i; ++k) X.row(i) -= U_(k, i) * X.row(k);
+            for (Eigen::Index k = 0; k < i; ++k) row(i) -= U_(k, i) * row(k);
         for (Eigen::Index i = size() - 1; i >= 0; --i) {
-            X.row(i) *= per_pivot_[i];
-            for (Eigen::Index k = i + 1; k < size(); ++k) X.row(i) -= U_(i, k) * X.row(k);
+            row(i) *= per_pivot_[i];
+            for (Eigen::Index k = i + 1; k < size(); ++k) row(i) -= U_(i, k) * row(k);
         }
         return X;
     }

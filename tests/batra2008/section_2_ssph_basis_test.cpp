@@ -179,6 +179,18 @@ TEST_CASE("(2.9): C is symmetric to the last bit, positive, and the sum of (2.5)
     });
 }
 
+TEST_CASE("(2.11): the basis, whose sums are moments, is C⁻¹ D with the matrices of (2.6), (2.8) and (2.9)") {
+    for_some_dimensions_and_degrees([](auto dimension, auto degree) {
+        constexpr int dim = dimension, m = degree, n = terms<dim, m>;
+        const Sample<dim, m> near(3 * n, 5);
+        const Basis<dim, m> basis({near.s, near.W, {}, {}}, {}, 1);
+        const auto D_near = D<double>(near.H, near.W);
+        const Eigen::MatrixXd C_near = C<double>(D_near, near.H), K = C_near.llt().solve(D_near);
+        CHECK((basis.matrix() - C_near).norm() < 1e-14 * C_near.norm());
+        CHECK((basis.K() - K).norm() < 1e-10 * K.norm());
+    });
+}
+
 TEST_CASE("(2.9), (2.11): no derivative of the kernel enters, so that weights may be constant") {
     const Polynomial f(2, 2, 12);
     const Points<2> x = 2 * support::random_points<2>(11, 3) - Points<2>::Ones(2, 11);

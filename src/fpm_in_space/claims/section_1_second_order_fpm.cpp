@@ -84,7 +84,7 @@ double least_eigenvalue_of_matrix() {
     double least = 1;
     for_each_neighbourhood<dim>([&](const Neighbourhood<double, dim>& near) {
         using namespace second_order_fpm;
-        const auto products = moments<double>(monomials_of(near), near.W * near.V);
+        const auto products = moments(near);
         const Table<double> p2 = polynomials<double, dim>(quadratic<dim>);
         const Eigen::MatrixXd M = product(corrections<dim>(p2, products), p2, products);
         const Eigen::VectorXd scale = M.diagonal().cwiseSqrt().cwiseInverse();
@@ -104,7 +104,7 @@ double least_behind_short_gap() {
         const auto line = particles::line_at(x, particles::Volumes::equal);
         const auto near = particles::neighbourhood(line, Smoothing<double>(particles::Gaussian<1>{}, 2), 1);
         using namespace second_order_fpm;
-        const auto products = moments<double>(monomials_of(near), near.W * near.V);
+        const auto products = moments(near);
         const Table<double> p2 = polynomials<double, 1>(quadratic<1>);
         least = std::min(least, product(corrections<1>(p2, products), p2, products)(0, 0) /
                                     product(p2, p2, products)(0, 0));
