@@ -28,15 +28,22 @@ struct Formulation {
     Index particles = 0;         ///< that a neighbourhood must hold, the particle itself included
     Exactness exact;
 
-    using Assemble = particles::Operators<Scalar> (*)(const Line<Scalar>&,
-                                                      const particles::Smoothing<Scalar>&,
-                                                      const particles::Requirement&);
-    Assemble assemble = nullptr;
+    using Assemble = void (*)(particles::Operators<Scalar>&, const Line<Scalar>&,
+                              const particles::Smoothing<Scalar>&, const particles::Requirement&);
+    Assemble assemble = nullptr;  ///< as particles::assemble_again
 
     /// D and D² of the formulation on a line of particles. Errors as for particles::assemble.
     [[nodiscard]] particles::Operators<Scalar> operators(
         const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing) const {
-        return assemble(line, smoothing, {name, particles});
+        particles::Operators<Scalar> all;
+        assemble_again(all, line, smoothing);
+        return all;
+    }
+
+    /// The same in the memory of operators of other positions: for particles that move, in every time step.
+    void assemble_again(particles::Operators<Scalar>& all, const Line<Scalar>& line,
+                        const particles::Smoothing<Scalar>& smoothing) const {
+        assemble(all, line, smoothing, {name, particles});
     }
 };
 

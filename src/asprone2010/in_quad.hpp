@@ -8,8 +8,9 @@
 
 namespace particles {
 
-extern template Operators<base::Quad> assemble(const Line<base::Quad>&, const Smoothing<base::Quad>&,
-                                               const Requirement&, const Rule<base::Quad>&, const Range&);
+extern template void assemble_again(Operators<base::Quad>&, const Line<base::Quad>&,
+                                    const Smoothing<base::Quad>&, const Requirement&, const Rule<base::Quad>&,
+                                    const Range&);
 
 }  // namespace particles
 

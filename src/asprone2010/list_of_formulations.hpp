@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "asprone2010/formulations.hpp"
@@ -20,9 +21,9 @@ Formulation<Scalar> formulation(std::string_view name, std::string_view section,
             equations,
             particles,
             exact,
-            [](const Line<Scalar>& line, const particles::Smoothing<Scalar>& smoothing,
-               const particles::Requirement& required) {
-                return particles::assemble(line, smoothing, required, Rule{}...);
+            [](particles::Operators<Scalar>& all, const Line<Scalar>& line,
+               const particles::Smoothing<Scalar>& smoothing, const particles::Requirement& required) {
+                particles::assemble_again(all, line, smoothing, required, Rule{}...);
             }};
 }
 
@@ -38,20 +39,28 @@ const std::vector<Formulation<Scalar>>& formulations() {
         formulation<Scalar>(
             "original", "3.1", "(11) (12)", 2, {0, 0},
             [](const auto& near) { return original::first_derivative(near); },
-            [](const auto& D) { return original::second_derivative(D); }),
+            [](const Operator<Scalar>& D, Operator<Scalar>&& memory) {
+                return original::second_derivative(D, std::move(memory));
+            }),
         formulation<Scalar>("chen_beraun", "3.2", "(16) (20)", 3, {1, 1},
                             [](const auto& near) { return chen_beraun::derivatives(near); }),
         formulation<Scalar>(
             "rkpm_first_order", "3.3", "(25) (26)", 2, {0, 0},
             [](const auto& near) { return rkpm::first_derivative<1>(near); },
-            [](const auto& D) { return rkpm::second_derivative(D); }),
+            [](const Operator<Scalar>& D, Operator<Scalar>&& memory) {
+                return rkpm::second_derivative(D, std::move(memory));
+            }),
         formulation<Scalar>(
             "rkpm_second_order", "3.3", "(25) (26)", 3, {0, 0},
             [](const auto& near) { return rkpm::first_derivative<2>(near); },
-            [](const auto& D) { return rkpm::second_derivative(D); }),
+            [](const Operator<Scalar>& D, Operator<Scalar>&& memory) {
+                return rkpm::second_derivative(D, std::move(memory));
+            }),
         formulation<Scalar>(
             "fpm", "3.4", "(30)", 2, {1, 1}, [](const auto& near) { return fpm::first_derivative(near); },
-            [](const auto& D) { return fpm::second_derivative(D); }),
+            [](const Operator<Scalar>& D, Operator<Scalar>&& memory) {
+                return fpm::second_derivative(D, std::move(memory));
+            }),
         formulation<Scalar>("modified_fpm", "3.5", "(36)", 3, {2, 2},
                             [](const auto& near) { return modified_fpm::derivatives(near); }),
         formulation<Scalar>("second_order_fpm", "4", "(43)", 4, {2, 3},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "asprone2010/section_2_classical_sph.hpp"
 
 namespace asprone2010 {
@@ -83,9 +85,10 @@ Column<Scalar> first_derivative(const Neighbourhood<Scalar>& near) {
 /// \f$D^2 = D\,D\f$. \defeq{A12}
 /// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DW_i(x_j)\,\Delta\Omega_j \tag{12} \f]
 /// \param D the operator of \eq{A11} for all particles
+/// \param memory another operator, whose memory becomes the result's
 template <class Scalar>
-Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
-    return product(D, D);
+Operator<Scalar> second_derivative(const Operator<Scalar>& D, Operator<Scalar>&& memory = {}) {
+    return product(D, D, std::move(memory));
 }
 
 }  // namespace original

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "asprone2010/section_3_1_original.hpp"
@@ -197,9 +198,10 @@ Operator<double> first_derivative_by_integrals(const Line<double>& line,
 /// Second derivative: \eq{A25} with DB in the place of B, \f$D^2 = D\,D\f$ as in \eq{A12}. \defeq{A26}
 /// \f[ D^2B(x_i) \cong \sum_{j=1}^N [DB(x_i) - DB(x_j)]\,DK_i(x_j)\,\Delta\Omega_j \tag{26} \f]
 /// \param D the operator of \eq{A25} for all particles
+/// \param memory another operator, whose memory becomes the result's
 template <class Scalar>
-Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
-    return product(D, D);
+Operator<Scalar> second_derivative(const Operator<Scalar>& D, Operator<Scalar>&& memory = {}) {
+    return product(D, D, std::move(memory));
 }
 
 }  // namespace rkpm

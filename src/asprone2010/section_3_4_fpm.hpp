@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "asprone2010/section_3_1_original.hpp"
 
 namespace asprone2010 {
@@ -122,9 +124,10 @@ inline Eigen::Vector2d error(const Function& B, double DB_i, const CentredKernel
 
 /// The second derivative, the procedure reiterated: \f$D^2 = D\,D\f$ does not converge at the boundary.
 /// \param D the operator of \eq{A30} for all particles
+/// \param memory another operator, whose memory becomes the result's
 template <class Scalar>
-Operator<Scalar> second_derivative(const Operator<Scalar>& D) {
-    return product(D, D);
+Operator<Scalar> second_derivative(const Operator<Scalar>& D, Operator<Scalar>&& memory = {}) {
+    return product(D, D, std::move(memory));
 }
 
 }  // namespace fpm

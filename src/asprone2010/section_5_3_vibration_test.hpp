@@ -117,7 +117,7 @@ struct Mode {
 /// \throws base::FailedComputation where K is singular or the iteration does not converge
 inline std::vector<Mode> lowest_modes(const Operator<double>& D2, Index count) {
     const Index inner = D2.rows() - 2;
-    const Operator<double> K = D2.block(1, 1, inner, inner);
+    const Operator<double> K = particles::among(D2, {1, inner + 1});
     const solvers::BandedFactors<double> factors(K);
     factors.require_regular();
     const auto inverse = [&](const Column<double>& x, const Column<double>& nearly) {

@@ -1,5 +1,6 @@
 #include "base/memory.hpp"
 
+#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -22,10 +23,20 @@ std::string gigabytes(double bytes) {
 }  // namespace
 
 void prefer_large_pages(void* first, std::size_t bytes) {
-    constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-    const std::uintptr_t before = (page - reinterpret_cast<std::uintptr_t>(first) % page) % page;
-    if (bytes >= before + page)
-        madvise(static_cast<char*>(first) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
+    if (bytes < large_page) return;
+    // The pages at both ends belong to it only in part. What of them is no memory at all is passed over.
+    const std::uintptr_t before = reinterpret_cast<std::uintptr_t>(first) % large_page;
+    const std::uintptr_t pages = (before + bytes + large_page - 1) / large_page;
+    char* const begin = static_cast<char*>(first) - before;
+    madvise(begin, pages * large_page, MADV_HUGEPAGE);
+    // malloc has written the size before the array, and so a small page where the first large page shall be.
+    constexpr int collapse = 25;  // MADV_COLLAPSE, of Linux 6.1, which older headers lack
+    madvise(begin, large_page, collapse);
+}
+
+void keep_freed_memory() {
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 
 double available_memory() {

@@ -1,7 +1,6 @@
 #include "command_line/command_line.hpp"
 
 #include <gsl/gsl_errno.h>
-#include <malloc.h>
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
@@ -9,11 +8,11 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <type_traits>
 
 #include "base/errors.hpp"
+#include "base/memory.hpp"
 #include "command_line/lists.hpp"
 #include "solvers/blas_threads.hpp"
 
@@ -217,12 +216,6 @@ std::string on_one_line(std::string text) {
     return text;
 }
 
-/// Leaves freed memory with the process: to give it back and take it again is a third of the time of a sweep.
-void keep_freed_memory() {
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that glibc takes
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-}
-
 }  // namespace
 
 int run(CommandLine& app, int argc, char** argv, const std::function<int()>& body) {
@@ -235,7 +228,7 @@ int run(CommandLine& app, int argc, char** argv, const std::function<int()>& bod
         omp_set_num_threads(std::min(omp_get_max_threads(), most_threads));
         const std::optional<int> asked = app.read(argc, argv);
         gsl_set_error_handler_off();
-        keep_freed_memory();
+        base::keep_freed_memory();
         solvers::use_one_blas_thread();
         const int code = asked ? *asked : body();
         if (!std::cout.flush()) throw base::FailedComputation("cannot write to the standard output");

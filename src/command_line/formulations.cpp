@@ -15,24 +15,23 @@ namespace {
 /// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15)
 /// with ρ = 4; the factor G cancels.
 template <class Scalar>
-particles::Operators<Scalar> ssph(const particles::Line<Scalar>& line,
-                                  const particles::Smoothing<Scalar>& smoothing,
-                                  const particles::Requirement& required) {
+void ssph(particles::Operators<Scalar>& all, const particles::Line<Scalar>& line,
+          const particles::Smoothing<Scalar>& smoothing, const particles::Requirement& required) {
     const bool lowered = std::holds_alternative<particles::Gaussian<>>(smoothing.kernel());
     const Scalar edge = lowered ? particles::Gaussian<>::W(Scalar(4)) : Scalar(0);
-    return particles::assemble(line, smoothing, required, [edge](particles::Neighbourhood<Scalar> near) {
+    particles::assemble_again(all, line, smoothing, required, [edge](particles::Neighbourhood<Scalar> near) {
         near.W = (near.W - edge).max(Scalar(0));
         return batra2008::ssph_basis::derivatives<2>(near);
     });
 }
 
 template <class Scalar>
-particles::Operators<Scalar> definite_fpm(const particles::Line<Scalar>& line,
-                                          const particles::Smoothing<Scalar>& smoothing,
-                                          const particles::Requirement& required) {
-    return particles::assemble(line, smoothing, required, [](const particles::Neighbourhood<Scalar>& near) {
-        return fpm_in_space::second_order_fpm::derivatives(near);
-    });
+void definite_fpm(particles::Operators<Scalar>& all, const particles::Line<Scalar>& line,
+                  const particles::Smoothing<Scalar>& smoothing, const particles::Requirement& required) {
+    particles::assemble_again(all, line, smoothing, required,
+                              [](const particles::Neighbourhood<Scalar>& near) {
+                                  return fpm_in_space::second_order_fpm::derivatives(near);
+                              });
 }
 
 }  // namespace

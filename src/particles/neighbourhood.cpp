@@ -1,6 +1,41 @@
 #include "particles/neighbourhood.hpp"
 
+#include <optional>
+
 namespace particles {
+
+namespace {
+
+/// How many of the particles that follow one another are reached, in each lane; nothing where that is not known
+/// after the most steps. Steps are taken by four, since those beyond the reach add nothing.
+/// \param reached whether the k-th particle is, k = 1, 2, …
+template <class Reached>
+std::optional<Pack::Mask> counted(Index most_steps, const Reached& reached) {
+    Pack::Mask count{};
+    for (Index k = 1; k <= most_steps; ++k) {
+        const Pack::Mask holds = reached(k);
+        count -= holds;  // where it holds, a lane is -1
+        if (k % 4 == 0 && base::everywhere(holds == 0)) return count;
+    }
+    return {};
+}
+
+}  // namespace
+
+bool within_reach_of_pack(const Line<double>& line, const Smoothing<double>& smoothing, Index i,
+                          Range* near) {
+    const Index behind = line.size() - i - Pack::lanes;
+    if (behind < 0) return false;
+    const double* const x = line.x().data() + i;
+    const Pack x_i = Pack::from(x), reach = smoothing.pack_of_reaches(i), least = x_i - reach,
+               most = x_i + reach;
+    const auto left = counted(i, [&](Index k) { return Pack::from(x - k) > least; });
+    const auto right = counted(behind, [&](Index k) { return Pack::from(x + k) < most; });
+    if (!left || !right) return false;
+    for (int lane = 0; lane < Pack::lanes; ++lane)
+        near[lane] = {i + lane - (*left)[lane], i + lane + 1 + (*right)[lane]};
+    return true;
+}
 
 Neighbourhood<Pack> neighbourhoods(const Line<double>& line, const Smoothing<double>& smoothing, Index i,
                                    Index left, Index right) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -71,20 +72,26 @@ Range within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
     return {first - x, last - x};
 }
 
-/// The neighbours of each particle of a line, for some particles; the others' are left empty.
+/// The neighbours of the particles of a Pack, from particle i on: counted for all at once, since the branches of a
+/// search of each are foreseen by no processor.
+/// \param[out] near one for each particle of the Pack
+/// \return false where the counting would leave the line; then nothing is written
+bool within_reach_of_pack(const Line<double>& line, const Smoothing<double>& smoothing, Index i, Range* near);
+
+/// The neighbours of some particles of a line, in their order.
 template <class Scalar>
 std::vector<Range> all_within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                                     const Range& some) {
-    std::vector<Range> near(static_cast<std::size_t>(line.size()));
-    constexpr Index block = 256;
-    for_each_index((some.size() + block - 1) / block, [&](Index b) {
-        const Index first = some.first + b * block;
-        Range range = within_reach(line, smoothing, first);
-        for (Index i = first; i < std::min(first + block, some.last); ++i) {
-            range = within_reach(line, smoothing, i, range);
-            near[static_cast<std::size_t>(i)] = range;
-        }
-    });
+    std::vector<Range> near(static_cast<std::size_t>(some.size()));
+    Range* next = near.data();
+    for (Index i = some.first; i < some.last; ++i, ++next) {
+        if constexpr (std::is_same_v<Scalar, double>)
+            while (i + Pack::lanes <= some.last && within_reach_of_pack(line, smoothing, i, next)) {
+                i += Pack::lanes;
+                next += Pack::lanes;
+            }
+        if (i < some.last) *next = within_reach(line, smoothing, i, {i, i + 1});
+    }
     return near;
 }
 

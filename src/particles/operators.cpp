@@ -4,12 +4,12 @@
 
 namespace particles {
 
-template Operators<double> assemble(const Line<double>&, const Smoothing<double>&, const Requirement&,
-                                    const Rule<double>&, const Range&);
-template Operators<long double> assemble(const Line<long double>&, const Smoothing<long double>&,
-                                         const Requirement&, const Rule<long double>&, const Range&);
-template Operators<base::Quad> assemble(const Line<base::Quad>&, const Smoothing<base::Quad>&,
-                                        const Requirement&, const Rule<base::Quad>&, const Range&);
+template void assemble_again(Operators<double>&, const Line<double>&, const Smoothing<double>&,
+                             const Requirement&, const Rule<double>&, const Range&);
+template void assemble_again(Operators<long double>&, const Line<long double>&, const Smoothing<long double>&,
+                             const Requirement&, const Rule<long double>&, const Range&);
+template void assemble_again(Operators<base::Quad>&, const Line<base::Quad>&, const Smoothing<base::Quad>&,
+                             const Requirement&, const Rule<base::Quad>&, const Range&);
 
 template Operators<double, 1> assemble(const Cloud<1>&, const Smoothing<double, 1>&, const Requirement&,
                                        const CloudRule<1>&, const Range&);

@@ -74,6 +74,19 @@ const Operator<Scalar>& derivative(const Operators<Scalar, dim>& all,
                            : all.D2[static_cast<std::size_t>(place - dim)];
 }
 
+namespace detail {
+
+/// Calls `work(i)` for each of so many rows, whose work is short: a block of them after the other, in parallel.
+template <class Work>
+void for_each_row(Index rows, const Work& work) {
+    constexpr Index block = 256;
+    for_each_index((rows + block - 1) / block, [&](Index b) {
+        for (Index i = b * block; i < std::min((b + 1) * block, rows); ++i) work(i);
+    });
+}
+
+}  // namespace detail
+
 /// The operator applied through differences, \f$DB(x_i) = \sum_j D_{ij}\,[B(x_j) - B(x_i)]\f$: exact on
 /// constants, and without round-off of the size of B.
 /// \throws InvalidInput unless B has a value for each column of D
@@ -83,12 +96,7 @@ Column<Scalar> apply(const Operator<Scalar>& D, const Column<Scalar>& B) {
         throw InvalidInput("an operator on " + std::to_string(D.cols()) +
                            " particles needs as many values, got " + std::to_string(B.size()));
     Column<Scalar> DB(D.rows());
-    for_each_index(D.rows(), [&](Index i) {
-        Scalar sum(0);
-        for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry)
-            sum += entry.value() * (B[entry.col()] - B[i]);
-        DB[i] = sum;
-    });
+    detail::for_each_row(D.rows(), [&](Index i) { DB[i] = banded::on_differences(D, i, B.data()); });
     return DB;
 }
 
@@ -119,9 +127,11 @@ void annihilate_constants(Operator<Scalar>& D) {
 /// One derivative after another, first B and then A: \f$(A B)_{ij} = \sum_k A_{ik} B_{kj}\f$. Its rows
 /// annihilate constants to the last bit, too.
 /// \param A, B operators whose rows store consecutive columns, as those of assemble()
+/// \param memory another operator, whose memory becomes the product's
 template <class Scalar>
-Operator<Scalar> product(const Operator<Scalar>& A, const Operator<Scalar>& B) {
-    return banded::product(A, B);
+Operator<Scalar> product(const Operator<Scalar>& A, const Operator<Scalar>& B,
+                         Operator<Scalar>&& memory = {}) {
+    return banded::product(A, B, std::move(memory));
 }
 
 /// Minus an operator, in its own memory.
@@ -157,6 +167,31 @@ Operator<Scalar> first_inner_last(const Operator<Scalar>& first, Operator<Scalar
     return A;
 }
 
+/// The rows and the columns of some particles alone, as where the others are fixed.
+template <class Scalar>
+Operator<Scalar> among(const Operator<Scalar>& D, const Range& some) {
+    const auto entries = [&](Index row) -> Range {
+        const int* const column = D.innerIndexPtr();
+        const int *const first = column + D.outerIndexPtr()[row], *const last =
+                                                                      column + D.outerIndexPtr()[row + 1];
+        return {std::lower_bound(first, last, some.first) - column,
+                std::lower_bound(first, last, some.last) - column};
+    };
+    Operator<Scalar> K;
+    banded::shape(K, some.size(), some.size(), [&](int* size) {
+        detail::for_each_row(some.size(),
+                             [&](Index i) { size[i] = static_cast<int>(entries(some.first + i).size()); });
+    });
+    detail::for_each_row(some.size(), [&](Index i) {
+        const Range from = entries(some.first + i);
+        const Index to = K.outerIndexPtr()[i];
+        std::copy(D.valuePtr() + from.first, D.valuePtr() + from.last, K.valuePtr() + to);
+        std::transform(D.innerIndexPtr() + from.first, D.innerIndexPtr() + from.last, K.innerIndexPtr() + to,
+                       [&](int column) { return column - static_cast<int>(some.first); });
+    });
+    return K;
+}
+
 /// A formulation on a line, as assemble() takes it: pure functions.
 template <class Scalar>
 struct Rule {
@@ -164,8 +199,8 @@ struct Rule {
     std::function<Derivatives<Scalar>(const Neighbourhood<Scalar>&)> weights;
     /// The weights of several at once, where entries with W = DW = V = 0 must not count; or empty.
     std::function<Derivatives<Pack>(const Neighbourhood<Pack>&)> weights_of_pack;
-    /// The operator D² as a function of D; or empty.
-    std::function<Operator<Scalar>(const Operator<Scalar>&)> second;
+    /// The operator D² as a function of D, in the memory of another operator; or empty.
+    std::function<Operator<Scalar>(const Operator<Scalar>&, Operator<Scalar>&&)> second;
 };
 
 namespace detail {
@@ -177,18 +212,37 @@ inline void check_rows(const Range& rows, Index N) {
                            std::to_string(rows.last - 1) + " among " + std::to_string(N) + " particles");
 }
 
+/// Gives D a row of the size of each neighbourhood.
+/// \throws FailedComputation where a neighbourhood is too small
+template <class Scalar>
+void shape_as_neighbours(Operator<Scalar>& D, const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                         const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
+    banded::shape(D, rows.size(), line.size(), [&](int* size) {
+        banded::for_each_block(rows, line.size(), [&](const Range& block) {
+            const Range some{std::max(block.first, rows.first), std::min(block.last, rows.last)};
+            const std::vector<Range> near = all_within_reach(line, smoothing, some);
+            for (Index i = some.first; i < some.last; ++i) {
+                const Range& near_i = near[static_cast<std::size_t>(i - some.first)];
+                require_neighbours(line, smoothing, i, near_i, required, rule.weights);
+                size[i - rows.first] = static_cast<int>(near_i.size());
+            }
+        });
+    });
+}
+
 /// \throws FailedComputation naming the first particle whose second derivative has weights that are not
 ///         finite, as its diagonal entry shows
 template <class Scalar>
 void require_finite(const Operator<Scalar>& D2, const Line<Scalar>& line, const Requirement& required) {
-    for_each_index(D2.rows(), [&](Index i) {
+    const auto check = [&](Index i) {
         using std::isfinite;
-        if (!isfinite(D2.coeff(i, i)))
+        if (!isfinite(banded::diagonal_entry(D2, i)))
             throw FailedComputation(
                 std::string(required.formulation) + ": at particle " + std::to_string(i) + " (" +
                 position_in_words(line, i) +
                 ") the weights of the second derivative are not finite; take another unit of length");
-    });
+    };
+    for_each_row(D2.rows(), check);
 }
 
 /// The weights that a function gives for a neighbourhood: of both derivatives, or of the first alone.
@@ -214,33 +268,24 @@ Rule<Scalar> rule_of(Function function) {
 
 }  // namespace detail
 
-/// Assembles D and D² of a formulation: the row of particle i holds the weights that `rule` gives for its
-/// neighbourhood.
-///
-/// Particles are independent of one another, so that they are computed in parallel, with the same bytes on
-/// any number of threads and whatever other rows are computed. In double precision, a Pack of consecutive
-/// particles is computed at once where all its neighbourhoods lie on the line; the others, and those of a
-/// Pack that fails, one by one.
-/// \param rows particles that have a row; a rule that has D² from D needs all
-/// \throws InvalidInput unless there is one smoothing length, or one for each particle
-/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite,
-///         naming the formulation, the particle, its position, its neighbours and a remedy
+/// Assembles D and D² of a formulation once more, in the memory that they have: for particles that have moved,
+/// in every time step. Their bytes are those of assemble().
+/// \param all what assemble() gave for other positions of the particles, or any other operators; after an error
+///        of no use
 template <class Scalar>
-Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
-                           const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
-    detail::check_rows(rows, line.size());
-    smoothing.require_lengths_of(line.size());
+void assemble_again(Operators<Scalar>& all, const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                    const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
+    const Index N = line.size();
+    detail::check_rows(rows, N);
+    smoothing.require_lengths_of(N);
     const bool gives_both = !rule.second;
-    if (!gives_both && rows.size() < line.size())
+    if (!gives_both && rows.size() < N)
         throw InvalidInput(std::string(required.formulation) +
                            ": a derivative of a derivative needs all rows");
-    const std::vector<Range> near = all_within_reach(line, smoothing, banded::whole_packs(rows, line.size()));
-    require_neighbours(line, smoothing, near, required, rows, rule.weights);
-    Operators<Scalar> all{banded::allocated<Scalar>(near, rows),
-                          gives_both ? banded::allocated<Scalar>(near, rows) : Operator<Scalar>()};
+    detail::shape_as_neighbours(all.D, line, smoothing, required, rule, rows);
+    if (gives_both) banded::shape_as(all.D2, all.D);
 
-    const auto alone = [&](Index i) {
-        const Range& near_i = near[static_cast<std::size_t>(i)];
+    const auto alone = [&](Index i, const Range& near_i) {
         const Index row = i - rows.first, own = i - near_i.first;
         const Scalar per_h = 1 / smoothing.h(i);
         try {
@@ -254,12 +299,11 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
                 failed.what() + "; " + remedy(line, smoothing, i, required, rule.weights));
         }
     };
-    const auto together = [&](Index i) {
+    const auto together = [&](Index i, const Range* near_i) {
         if constexpr (std::is_same_v<Scalar, double>) {
             if (!rule.weights_of_pack) return false;
-            const auto sides = banded::sides_of_pack(near, i);
+            const auto sides = banded::sides_of_pack(near_i, i, N);
             if (!sides) return false;
-            const Range* const near_i = near.data() + i;
             const Pack per_h = 1 / smoothing.pack_of_h(i);
             try {
                 const auto [first, second] =
@@ -274,21 +318,46 @@ Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& sm
         }
         return false;
     };
-    banded::for_each_pack(rows, together, alone);
+    banded::for_each_block(rows, N, [&](const Range& block) {
+        const std::vector<Range> near = all_within_reach(line, smoothing, block);
+        const auto near_of = [&](Index i) { return near.data() + (i - block.first); };
+        banded::for_each_pack(
+            block, rows, [&](Index i) { return together(i, near_of(i)); },
+            [&](Index i) { alone(i, *near_of(i)); });
+    });
 
     if (rule.second) {
-        Operator<Scalar> D2 = rule.second(all.D);
+        Operator<Scalar> D2 = rule.second(all.D, std::move(all.D2));
         all.D2.swap(D2);  // Eigen's assignment would copy
         detail::require_finite(all.D2, line, required);
     }
+}
+
+/// Assembles D and D² of a formulation: the row of particle i holds the weights that `rule` gives for its
+/// neighbourhood.
+///
+/// Particles are independent of one another, so that they are computed in parallel, with the same bytes on
+/// any number of threads and whatever other rows are computed. In double precision, a Pack of consecutive
+/// particles is computed at once where all its neighbourhoods lie on the line; the others, and those of a
+/// Pack that fails, one by one.
+/// \param rows particles that have a row; a rule that has D² from D needs all
+/// \throws InvalidInput unless there is one smoothing length, or one for each particle
+/// \throws FailedComputation where a neighbourhood is too small or singular or its weights are not finite,
+///         naming the formulation, the particle, its position, its neighbours and a remedy
+template <class Scalar>
+Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                           const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
+    Operators<Scalar> all;
+    assemble_again(all, line, smoothing, required, rule, rows);
     return all;
 }
 
 // Compiled once for each scalar, in operators.cpp.
-extern template Operators<double> assemble(const Line<double>&, const Smoothing<double>&, const Requirement&,
-                                           const Rule<double>&, const Range&);
-extern template Operators<long double> assemble(const Line<long double>&, const Smoothing<long double>&,
-                                                const Requirement&, const Rule<long double>&, const Range&);
+extern template void assemble_again(Operators<double>&, const Line<double>&, const Smoothing<double>&,
+                                    const Requirement&, const Rule<double>&, const Range&);
+extern template void assemble_again(Operators<long double>&, const Line<long double>&,
+                                    const Smoothing<long double>&, const Requirement&,
+                                    const Rule<long double>&, const Range&);
 
 /// The same for all particles of the line.
 /// \param weights a pure function of a Neighbourhood that returns Derivatives. If it accepts a Neighbourhood
@@ -296,20 +365,37 @@ extern template Operators<long double> assemble(const Line<long double>&, const 
 template <class Scalar, class Weights>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                            const Requirement& required, const Weights& weights) {
+    Operators<Scalar> all;
+    assemble_again(all, line, smoothing, required, weights);
+    return all;
+}
+template <class Scalar, class Weights>
+void assemble_again(Operators<Scalar>& all, const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                    const Requirement& required, const Weights& weights) {
     static_assert(
         std::is_same_v<std::invoke_result_t<Weights, const Neighbourhood<Scalar>&>, Derivatives<Scalar>>,
         "weights of the first derivative alone need another function, which makes the operator D² of D");
-    return assemble(line, smoothing, required, detail::rule_of<Scalar>(weights), {0, line.size()});
+    assemble_again(all, line, smoothing, required, detail::rule_of<Scalar>(weights), {0, line.size()});
 }
 
 /// The same from weights of the first derivative alone.
-/// \param second the operator D² as a function of D
+/// \param second the operator D² as a function of D, and of an operator whose memory it may take
 template <class Scalar, class Weights, class Second>
 Operators<Scalar> assemble(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                            const Requirement& required, const Weights& weights, const Second& second) {
+    Operators<Scalar> all;
+    assemble_again(all, line, smoothing, required, weights, second);
+    return all;
+}
+template <class Scalar, class Weights, class Second>
+void assemble_again(Operators<Scalar>& all, const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
+                    const Requirement& required, const Weights& weights, const Second& second) {
     Rule<Scalar> rule = detail::rule_of<Scalar>(weights);
-    rule.second = second;
-    return assemble(line, smoothing, required, rule, {0, line.size()});
+    if constexpr (std::is_invocable_v<Second, const Operator<Scalar>&, Operator<Scalar>&&>)
+        rule.second = second;
+    else
+        rule.second = [second](const Operator<Scalar>& D, Operator<Scalar>&&) { return second(D); };
+    assemble_again(all, line, smoothing, required, rule, {0, line.size()});
 }
 
 /// A formulation on a cloud: a pure function.
@@ -328,10 +414,13 @@ Operators<double, dim> assemble(const Cloud<dim>& cloud, const Smoothing<double,
     detail::check_rows(rows, cloud.size());
     smoothing.require_lengths_of(cloud.size());
     const std::vector<std::vector<int>> near = all_within_reach(cloud, smoothing, rows);
-    require_neighbours(cloud, smoothing, near, required, rows, rule);
-    const auto allocated = [&] { return banded::allocated<double>(near, rows); };
+    for (Index i = rows.first; i < rows.last; ++i)
+        require_neighbours(cloud, smoothing, i, near[static_cast<std::size_t>(i)], required, rule);
     std::array<Operator<double>, dim + second_derivatives<dim>> all;
-    for (Operator<double>& D : all) D = allocated();
+    for (Operator<double>& D : all) {
+        Operator<double> allocated = banded::allocated(near, rows);
+        D.swap(allocated);
+    }
 
     for_each_index(rows.size(), [&](Index row) {
         const Index i = rows.first + row;

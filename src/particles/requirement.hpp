@@ -156,18 +156,13 @@ std::string remedy(const Points& points, const Smoothing<Scalar, dim>& smoothing
     return fewer + (other.empty() ? "" : ", or try " + other);
 }
 
-/// \param near the neighbours of each particle \param some particles that need enough
-/// \param weights a function of a Neighbourhood, for the remedy
-/// \throws FailedComputation naming the first particle with too few neighbours, and a remedy
+/// \param near the neighbours of particle i \param weights a function of a Neighbourhood, for the remedy
+/// \throws FailedComputation naming the particle and a remedy, where there are too few
 template <class Points, class Scalar, int dim, class Neighbours, class Weights>
-void require_neighbours(const Points& points, const Smoothing<Scalar, dim>& smoothing,
-                        const std::vector<Neighbours>& near, const Requirement& required, const Range& some,
-                        const Weights& weights) {
-    const auto near_of = [&](Index i) -> const Neighbours& { return near[static_cast<std::size_t>(i)]; };
-    Index i = some.first;
-    while (i < some.last && static_cast<Index>(near_of(i).size()) >= required.particles) ++i;
-    if (i < some.last)
-        throw FailedComputation(neighbours_in_words(points, smoothing, i, near_of(i), required) + ", needs " +
+void require_neighbours(const Points& points, const Smoothing<Scalar, dim>& smoothing, Index i,
+                        const Neighbours& near, const Requirement& required, const Weights& weights) {
+    if (static_cast<Index>(near.size()) < required.particles)
+        throw FailedComputation(neighbours_in_words(points, smoothing, i, near, required) + ", needs " +
                                 std::to_string(required.particles) + "; " +
                                 remedy(points, smoothing, i, required, weights));
 }

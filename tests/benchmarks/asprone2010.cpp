@@ -31,15 +31,25 @@ void add_asprone2010(long most) {
         const double written = (bytes(D) + bytes(D2)) / 10000,
                      exponentials = static_cast<double>(D.nonZeros()) / 10000;
         for (long N = 1000; N <= most; N *= 10)
-            for (const int threads : {1, 2})
-                add({"assembly", std::string(formulation.name), N, threads, written, exponentials,
-                     N >= 10000000},
-                    [&formulation, N] {
-                        return [&formulation, of = perturbed(N)] {
-                            benchmark::DoNotOptimize(
-                                formulation.operators(of->line, of->smoothing).D2.valuePtr());
-                        };
-                    });
+            for (const int threads : {1, 2}) {
+                const bool once = N >= 10000000;
+                const std::string name(formulation.name);
+                add({"assembly", name, N, threads, written, exponentials, once}, [&formulation, N] {
+                    return [&formulation, of = perturbed(N)] {
+                        benchmark::DoNotOptimize(
+                            formulation.operators(of->line, of->smoothing).D2.valuePtr());
+                    };
+                });
+                add({"again", name, N, threads, written, exponentials, once}, [&formulation, N] {
+                    const auto of = perturbed(N);
+                    const auto all = std::make_shared<particles::Operators<double>>();
+                    formulation.assemble_again(*all, of->line, of->smoothing);
+                    return [&formulation, of, all] {
+                        formulation.assemble_again(*all, of->line, of->smoothing);
+                        benchmark::DoNotOptimize(all->D2.valuePtr());
+                    };
+                });
+            }
     }
 
     const auto& formulation = formulation_named<double>("second_order_fpm");

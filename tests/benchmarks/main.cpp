@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "base/memory.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
 #include "solvers/blas_threads.hpp"
@@ -109,6 +110,7 @@ void add(const Task& task, const std::function<std::function<void()>()>& prepare
 /// bench --part TEXT --most-1d N --most-2d N --output FILE [Google Benchmark's options]
 int main(int argc, char** argv) {
     solvers::use_one_blas_thread();
+    base::keep_freed_memory();  // as the programs do
 
     benchmark::Initialize(&argc, argv);
     std::map<std::string, std::string> option{

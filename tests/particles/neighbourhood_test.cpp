@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <algorithm>
 
+#include "particles/spacing.hpp"
 #include "tests/clouds.hpp"
 #include "tests/relative.hpp"
 
@@ -29,6 +30,28 @@ std::vector<int> numbers(Index N, int step = 1) {
 }
 
 }  // namespace
+
+TEST_CASE(
+    "neighbourhood: those of some particles, counted for a Pack at once, are those that each finds alone") {
+    for (const Index N : {2, 9, 40, 333})
+        for (const double perturbation : {0.0, 0.25, 0.45})
+            for (const double ratio : {0.4, 1.0, 3.0, 30.0})
+                for (const auto from : {Spacing::mean, Spacing::local}) {
+                    const auto line =
+                        line_at(perturbed_positions<double>(N, perturbation, 1), Volumes::equal);
+                    const Smoothing<double> smoothing(Gaussian{}, spacing(line, from), ratio);
+                    for (const Range some : {Range{0, N}, Range{N / 3, N}, Range{1, N - 1}}) {
+                        const auto near = all_within_reach(line, smoothing, some);
+                        REQUIRE(static_cast<Index>(near.size()) == some.size());
+                        for (Index i = some.first; i < some.last; ++i) {
+                            const Range alone = within_reach(line, smoothing, i);
+                            const Range& counted = near[static_cast<std::size_t>(i - some.first)];
+                            REQUIRE(counted.first == alone.first);
+                            REQUIRE(counted.last == alone.last);
+                        }
+                    }
+                }
+}
 
 TEST_CASE("neighbourhood: the Gaussian with h = δ sees six particles on each side, and at an end on one") {
     const auto line = uniform(50);

@@ -2,6 +2,9 @@
 
 #include <omp.h>
 
+#include <array>
+#include <utility>
+
 #include "asprone2010/section_3_2_chen_beraun.hpp"
 #include "asprone2010/section_4_second_order_fpm.hpp"
 #include "tests/same_bytes.hpp"
@@ -43,9 +46,33 @@ TEST_CASE("operators: some rows of a line are those of all, packs or not") {
     }
     Rule<double> twice =
         detail::rule_of<double>([](const auto& near) { return asprone2010::fpm::first_derivative(near); });
-    twice.second = [](const Operator<double>& D) { return product(D, D); };
+    twice.second = [](const Operator<double>& D, Operator<double>&& memory) {
+        return product(D, D, std::move(memory));
+    };
     CHECK_THROWS_WITH_AS(assemble(line, smoothing, {"fpm", 2}, twice, {0, 10}),
                          "fpm: a derivative of a derivative needs all rows", InvalidInput);
+}
+
+TEST_CASE(
+    "operators: assembled again after the particles have moved, they are those of a fresh assembly, in the memory that they had") {
+    const Discretisation wide{Volumes::partition, Gaussian{}, 2},
+        narrow{Volumes::partition, Gaussian{}, 1.3, 0.25};
+    for (const auto& formulation : formulations<double>()) {
+        CAPTURE(formulation.name);
+        const auto first = particles_of(3000, wide);
+        auto all = formulation.operators(first.line, first.smoothing);
+        const std::array values{all.D.valuePtr(), all.D2.valuePtr()};
+        const std::array columns{all.D.innerIndexPtr(), all.D2.innerIndexPtr()};
+        for (const auto& [N, seed] : {std::pair{3000, 1UL}, {700, 1UL}, {3000, 2UL}}) {
+            const auto moved = particles_of(N, narrow, seed);
+            const auto expected = formulation.operators(moved.line, moved.smoothing);
+            formulation.assemble_again(all, moved.line, moved.smoothing);
+            CHECK(same_bytes(all.D, expected.D));
+            CHECK(same_bytes(all.D2, expected.D2));
+            CHECK(values == std::array{all.D.valuePtr(), all.D2.valuePtr()});
+            CHECK(columns == std::array{all.D.innerIndexPtr(), all.D2.innerIndexPtr()});
+        }
+    }
 }
 
 TEST_CASE("operators: the weights of a row sum to zero to the last bit, on uniform and on random particles") {
@@ -165,6 +192,18 @@ TEST_CASE("operators: minus, identity, and the rows of three operators in one") 
     CHECK(rows.row(0) == Eigen::MatrixXd::Identity(40, 40).row(0));
     CHECK(rows.middleRows(1, 38) == -D2.middleRows(1, 38));
     CHECK(rows.row(39) == D.row(39));
+}
+
+TEST_CASE("operators: among some particles it is the block of their rows and columns") {
+    const auto [line, smoothing] = particles_of(40, {Volumes::equal, Gaussian{}, 1, 0.25});
+    Operator<double> D = asprone2010::formulation_named<double>("fpm").operators(line, smoothing).D2;
+    for (const bool consecutive : {true, false}) {
+        if (!consecutive) D = D.pruned(0.3 * D.coeffs().abs().maxCoeff(), 1);
+        for (const Range some : {Range{0, 40}, Range{1, 39}, Range{17, 20}, Range{5, 5}}) {
+            const Operator<double> expected = D.block(some.first, some.first, some.size(), some.size());
+            CHECK(same_bytes(among(D, some), expected));
+        }
+    }
 }
 
 TEST_CASE("operators: mirrored particles give mirrored weights") {
