@@ -93,16 +93,6 @@ TEST_CASE("operators: the weights of a row sum to zero to the last bit, on unifo
         }
 }
 
-TEST_CASE("operators: applied to a constant they give zero exactly, however large it is") {
-    const auto [line, smoothing] = particles_of(100, {Volumes::equal, Gaussian{}, 1, 0.3});
-    for (const auto& formulation : formulations<double>()) {
-        const auto [D, D2] = formulation.operators(line, smoothing);
-        const Column<double> B = Column<double>::Constant(100, 1e10);
-        CHECK((apply(D, B) == 0).all());
-        CHECK((apply(D2, B) == 0).all());
-    }
-}
-
 TEST_CASE("operators: the same bytes on any number of threads") {
     const auto [line, smoothing] = particles_of(3000, {Volumes::partition, Gaussian{}, 1.3, 0.25});
     for (const auto& formulation : formulations<double>()) {
@@ -168,41 +158,6 @@ TEST_CASE("operators: rows are compressed and hold the neighbours in order") {
         REQUIRE(D.outerIndexPtr()[i + 1] - D.outerIndexPtr()[i] == near.size());
         for (Index k = 0; k < near.size(); ++k)
             REQUIRE(D.innerIndexPtr()[D.outerIndexPtr()[i] + k] == near.first + k);
-    }
-}
-
-TEST_CASE("operators: applying through differences agrees with the matrix product") {
-    const auto [line, smoothing] = particles_of(80, {Volumes::equal, Gaussian{}, 1, 0.25});
-    const Column<double> B = line.x().unaryExpr(&support::Wave::B);
-    for (const auto& formulation : formulations<double>()) {
-        const auto [D, D2] = formulation.operators(line, smoothing);
-        CHECK((apply(D, B) - (D * B.matrix()).array()).abs().maxCoeff() < 1e-11);
-        CHECK((apply(D2, B) - (D2 * B.matrix()).array()).abs().maxCoeff() < 1e-8);
-    }
-}
-
-TEST_CASE("operators: minus, identity, and the rows of three operators in one") {
-    const auto [line, smoothing] = particles_of(40, {Volumes::equal, Gaussian{}, 1, 0.25});
-    const auto both = asprone2010::formulation_named<double>("modified_fpm").operators(line, smoothing);
-    const Eigen::MatrixXd D(both.D), D2(both.D2);
-    CHECK(Eigen::MatrixXd(identity<double>(40)) == Eigen::MatrixXd::Identity(40, 40));
-    CHECK(Eigen::MatrixXd(minus(Operator<double>(both.D))) == -D);
-    const Eigen::MatrixXd rows(
-        first_inner_last(identity<double>(40), minus(Operator<double>(both.D2)), both.D));
-    CHECK(rows.row(0) == Eigen::MatrixXd::Identity(40, 40).row(0));
-    CHECK(rows.middleRows(1, 38) == -D2.middleRows(1, 38));
-    CHECK(rows.row(39) == D.row(39));
-}
-
-TEST_CASE("operators: among some particles it is the block of their rows and columns") {
-    const auto [line, smoothing] = particles_of(40, {Volumes::equal, Gaussian{}, 1, 0.25});
-    Operator<double> D = asprone2010::formulation_named<double>("fpm").operators(line, smoothing).D2;
-    for (const bool consecutive : {true, false}) {
-        if (!consecutive) D = D.pruned(0.3 * D.coeffs().abs().maxCoeff(), 1);
-        for (const Range some : {Range{0, 40}, Range{1, 39}, Range{17, 20}, Range{5, 5}}) {
-            const Operator<double> expected = D.block(some.first, some.first, some.size(), some.size());
-            CHECK(same_bytes(among(D, some), expected));
-        }
     }
 }
 
@@ -312,20 +267,6 @@ TEST_CASE("operators: as many smoothing lengths as particles are needed, and as 
     const auto [D, D2] = formulation.operators(line, smoothing);
     CHECK_THROWS_WITH_AS(apply(D, Column<double>(Column<double>::Zero(10))),
                          "an operator on 30 particles needs as many values, got 10", InvalidInput);
-}
-
-TEST_CASE("operators: constants cannot be annihilated on a range of rows, whose diagonal is not known") {
-    Operator<double> some(2, 5);
-    CHECK_THROWS_WITH_AS(annihilate_constants(some),
-                         "an operator with 2 of 5 rows does not say where its diagonal is", InvalidInput);
-}
-
-TEST_CASE("operators: a row without a stored diagonal entry is refused") {
-    Operator<double> shift(3, 3);
-    const std::vector<Eigen::Triplet<double>> entries{{0, 0, 1}, {1, 2, 1}, {2, 2, 1}};
-    shift.setFromTriplets(entries.begin(), entries.end());
-    CHECK_THROWS_WITH_AS(annihilate_constants(shift), "row 1 of the operator stores no diagonal entry",
-                         InvalidInput);
 }
 
 TEST_CASE(
