@@ -8,9 +8,9 @@ namespace base {
 /// The size of a large page [bytes].
 inline constexpr std::size_t large_page = std::size_t{1} << 21;
 
-/// Asks the system for large pages, the ones at both ends included. It should be called before memory is first
-/// written: the page faults of small pages take longer than computing the numbers that are written, on a
-/// virtual machine ten times as long. A system without large pages ignores it.
+/// Asks the system for large pages, the ones at both ends included. It should be called before memory is
+/// first written: the page faults of small pages take longer than computing the numbers that are written,
+/// on a virtual machine ten times as long. A system without large pages ignores it.
 void prefer_large_pages(void* first, std::size_t bytes);
 
 /// The same for an array of numbers.
@@ -19,8 +19,9 @@ void prefer_large_pages(Number* first, std::ptrdiff_t count) {
     prefer_large_pages(static_cast<void*>(first), static_cast<std::size_t>(count) * sizeof(Number));
 }
 
-/// Leaves freed memory below 32 MB with the process, for its own next arrays: to give it back and take it again
-/// costs a page fault for each 4 kB. A choice for the whole process, so that its main function makes it.
+/// Leaves freed memory below 32 MB with the process, for its own next arrays: to give it back and take it
+/// again costs a page fault for each 4 kB. A choice for the whole process, so that its main function makes
+/// it.
 void keep_freed_memory();
 
 /// The memory that this process may use [bytes]: the machine's, or less under a limit (ulimit -v).

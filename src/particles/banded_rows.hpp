@@ -40,15 +40,15 @@ namespace banded {
 template <class Scalar>
 using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor>;
 
-/// Numbers for which entries are kept: a few more than asked for, so that values and columns, with what malloc
-/// writes before them, fill large pages.
+/// Numbers for which entries are kept: a few more than asked for, so that values and columns, with what
+/// malloc writes before them, fill large pages.
 inline Index in_large_pages(Index entries) {
     constexpr Index pages = base::large_page / sizeof(int), before = 16;
     return entries < pages / 2 ? entries : (entries + before + pages - 1) / pages * pages - before;
 }
 
-/// Gives a matrix room for its entries, whose rows begin where its outer index says; in the memory that it has
-/// if there is enough.
+/// Gives a matrix room for its entries, whose rows begin where its outer index says; in the memory that it
+/// has if there is enough.
 template <class Scalar>
 void make_room(Rows<Scalar>& D) {
     const Index entries = D.outerIndexPtr()[D.rows()];
@@ -160,8 +160,8 @@ inline void set_rows(Rows<double>& D, const Range& rows, Index i, const Range* n
     }
 }
 
-/// \f$D_{ii}\f$, or zero where it is not stored. It is found without a search where the columns of its row are
-/// consecutive.
+/// \f$D_{ii}\f$, or zero where it is not stored. It is found without a search where the columns of its row
+/// are consecutive.
 template <class Scalar>
 Scalar diagonal_entry(const Rows<Scalar>& D, Index i) {
     const Index start = D.outerIndexPtr()[i], last = D.outerIndexPtr()[i + 1] - 1;
@@ -209,8 +209,8 @@ inline std::optional<Sides> sides_of_pack(const Range* near, Index i, Index N) {
     return sides;
 }
 
-/// Calls `work(particles)` for each block of eight Packs that has one of `rows` of N, in parallel. Blocks begin
-/// at multiples of their size, so that a row has the same bytes whatever other rows are computed.
+/// Calls `work(particles)` for each block of eight Packs that has one of `rows` of N, in parallel. Blocks
+/// begin at multiples of their size, so that a row has the same bytes whatever other rows are computed.
 template <class Work>
 void for_each_block(const Range& rows, Index N, const Work& work) {
     constexpr Index block = 8 * Pack::lanes;

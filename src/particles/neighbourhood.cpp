@@ -6,8 +6,8 @@ namespace particles {
 
 namespace {
 
-/// How many of the particles that follow one another are reached, in each lane; nothing where that is not known
-/// after the most steps. Steps are taken by four, since those beyond the reach add nothing.
+/// How many of the particles that follow one another are reached, in each lane; nothing where that is not
+/// known after the most steps. Steps are taken by four, since those beyond the reach add nothing.
 /// \param reached whether the k-th particle is, k = 1, 2, …
 template <class Reached>
 std::optional<Pack::Mask> counted(Index most_steps, const Reached& reached) {

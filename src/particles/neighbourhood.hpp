@@ -72,8 +72,8 @@ Range within_reach(const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
     return {first - x, last - x};
 }
 
-/// The neighbours of the particles of a Pack, from particle i on: counted for all at once, since the branches of a
-/// search of each are foreseen by no processor.
+/// The neighbours of the particles of a Pack, from particle i on: counted for all at once, since the
+/// branches of a search of each are foreseen by no processor.
 /// \param[out] near one for each particle of the Pack
 /// \return false where the counting would leave the line; then nothing is written
 bool within_reach_of_pack(const Line<double>& line, const Smoothing<double>& smoothing, Index i, Range* near);

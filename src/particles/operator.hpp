@@ -22,7 +22,8 @@ using Operator = banded::Rows<Scalar>;
 
 namespace detail {
 
-/// Calls `work(i)` for each of so many rows, whose work is short: a block of them after the other, in parallel.
+/// Calls `work(i)` for each of so many rows, whose work is short: a block of them after the other, in
+/// parallel.
 template <class Work>
 void for_each_row(Index rows, const Work& work) {
     constexpr Index block = 256;

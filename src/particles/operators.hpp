@@ -146,10 +146,10 @@ Rule<Scalar> rule_of(Function function) {
 
 }  // namespace detail
 
-/// Assembles D and D² of a formulation once more, in the memory that they have: for particles that have moved,
-/// in every time step. Their bytes are those of assemble().
-/// \param all what assemble() gave for other positions of the particles, or any other operators; after an error
-///        of no use
+/// Assembles D and D² of a formulation once more, in the memory that they have: for particles that have
+/// moved, in every time step. Their bytes are those of assemble().
+/// \param all what assemble() gave for other positions of the particles, or any other operators; after an
+///        error of no use
 template <class Scalar>
 void assemble_again(Operators<Scalar>& all, const Line<Scalar>& line, const Smoothing<Scalar>& smoothing,
                     const Requirement& required, const Rule<Scalar>& rule, const Range& rows) {
