@@ -30,7 +30,7 @@ in_libraries := -fPIC -fno-semantic-interposition
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp $(in_libraries) -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 # Eigen aligns memory as widely for every processor, so that programs may have other flags than the library.
 CPPFLAGS := -DEIGEN_MAX_ALIGN_BYTES=64 -DEIGEN_MAX_STATIC_ALIGN_BYTES=16 -Isrc -I. -isystem /usr/include/eigen3 -isystem /usr/include/suitesparse
-LDLIBS := -lumfpack -llapacke -lopenblas -lgsl -lquadmath
+LDLIBS := -lumfpack -lcholmod -llapacke -lopenblas -lgsl -lquadmath
 # clang++ needs the place of g++'s quadmath.h and libquadmath, and its -Wconversion includes signs.
 gcc = $(shell dirname "$$(g++ -print-libgcc-file-name)")
 for_clang_only = -idirafter $(gcc)/include -Wno-sign-conversion

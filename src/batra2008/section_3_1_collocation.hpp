@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "batra2008/basis_at.hpp"
+#include "batra2008/linear_elements.hpp"
 #include "batra2008/section_3_elastostatics.hpp"
 
 namespace batra2008 {
@@ -184,10 +185,10 @@ System system_on(const std::vector<std::vector<int>>& near, const Problem& probl
     });
 }
 
-/// The system; if it is large, with the same equations on the nearest particles, by the same kernel.
+/// The system; if it is large, with linear elements.
 /// \tparam m degree of the monomials, 2 or 3
 /// \param h smoothing length of each particle [length]
-/// \param small largest number of particles for which those equations are left out
+/// \param small largest number of particles for which the elements are left out
 /// \throws base::InvalidInput as elastostatics::checked()
 /// \throws base::FailedComputation as ssph_basis::require_quality()
 template <int m>
@@ -201,13 +202,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
     });
     System system = system_on<m>(near, problem, cloud, kernel, h);
     system.worst = worst;
-    if (cloud.size() <= small) return system;
-    const Index enough = solvers::enough_neighbours(2 * cloud.size(), ssph_basis::terms<2, m>);
-    base::for_each_index(cloud.size(), [&](Index I) {
-        near[static_cast<std::size_t>(I)] =
-            ssph_basis::nearest_that_determine<m>(cloud, kernel, I, h[I], enough);
-    });
-    system.nearest = system_on<m>(near, problem, cloud, kernel, h).A;
+    if (cloud.size() > small) system.elements = linear_elements(problem, cloud);
     return system;
 }
 

@@ -410,14 +410,15 @@ struct WeakForm {
     Index gauss = 10;         ///< \f$n_G\f$
 };
 
-/// The system \eq{B3.22} of a problem.
+/// The system \eq{B3.22} of a problem; if it is large, with linear elements.
 /// \tparam m degree of the monomials, 1 to 3
 /// \param h smoothing length of each particle [length]
+/// \param small largest number of particles for which linear_elements() are left out
 /// \throws base::InvalidInput as elastostatics::checked()
 /// \throws base::FailedComputation as ssph_basis::require_quality(), and as ssph_basis::basis_at()
 template <int m>
 System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, const Column<double>& h,
-              const WeakForm& form) {
+              const WeakForm& form, Index small = solvers::small_system / 2) {
     problem = elastostatics::checked(std::move(problem), cloud);
     const auto worst = ssph_basis::require_quality<m>(
         cloud, kernel, h, std::vector<int>(static_cast<std::size_t>(cloud.size()), 1));
@@ -442,6 +443,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
         near, [&](Index I) { return stiffness(Omega(I), D, form.penalty, basis_near(I), T); },
         [&](Index I) { return load(Omega(I), problem.exact, form.penalty); });
     all.worst = worst;
+    if (cloud.size() > small) all.elements = linear_elements(problem, cloud);
     return all;
 }
 

@@ -258,14 +258,15 @@ using Matrix = solvers::SparseRows;
 struct System {
     Matrix A;
     Eigen::VectorXd b;
-    Matrix nearest{};  ///< the same equations on the nearest particles, for solvers::iterated(); or no rows
-    particles::WorstRow worst{};  ///< of the derivatives at the particles
+    solvers::Elements elements{};  ///< linear_elements() of the same problem, if it is large
+    particles::WorstRow worst{};   ///< of the derivatives at the particles
 };
 
 /// The displacements \f$u_1, u_2\f$ of each particle. [length]
+/// \param system is changed; Eigen would copy the matrix of a value, moved or not
 /// \throws base::FailedComputation as solvers::solve_sparse()
-inline Eigen::VectorXd solved(System system) {
-    return solvers::solve_sparse(std::move(system.A), std::move(system.b), std::move(system.nearest));
+inline Eigen::VectorXd solved(System&& system) {
+    return solvers::solve_sparse(std::move(system.A), std::move(system.b), std::move(system.elements));
 }
 
 }  // namespace batra2008

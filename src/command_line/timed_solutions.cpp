@@ -57,7 +57,7 @@ Solution solved_by_ssph(const Problem& problem, const Cloud<2>& cloud,
             about.worst = system.worst;
             return system;
         },
-        [&](System system) {
+        [&](System&& system) {
             return example_problems::Solution{how, problem.material,
                                               example_problems::smoothing_lengths(cloud, how),
                                               batra2008::solved(std::move(system))};
@@ -76,7 +76,7 @@ Solution solved_by_fpm(const Problem& problem, const Cloud<2>& cloud,
             about.worst = equations.system.worst;
             return equations;
         },
-        [&](plate_and_hole::Collocated equations) {
+        [&](plate_and_hole::Collocated&& equations) {
             return plate_and_hole::solved(std::move(equations), problem.material);
         },
         about);

@@ -73,26 +73,6 @@ std::vector<int> neighbours(const Operators<double, 2>& w, Index I) {
     return near;
 }
 
-/// The same equations on the nearest particles.
-batra2008::Matrix on_nearest(const Problem& problem, const Cloud<2>& cloud, const Column<double>& h) {
-    const batra2008::Kernel kernel(cut<2>);
-    const Index enough = solvers::enough_neighbours(2 * cloud.size(), ssph_basis::terms<2, 2>);
-    std::vector<std::vector<int>> near(static_cast<std::size_t>(cloud.size()));
-    base::for_each_index(cloud.size(), [&](Index I) {
-        near[static_cast<std::size_t>(I)] =
-            ssph_basis::nearest_that_determine<2>(cloud, kernel, I, h[I], enough);
-    });
-    return collocation::system_on(near, problem, cloud,
-                                  [&](Index I) {
-                                      const std::vector<int>& near_I = near[static_cast<std::size_t>(I)];
-                                      auto [first, second] =
-                                          ssph_with_value_given<2>(particles::neighbourhood(
-                                              cloud, kernel, Point<2>(cloud.x().col(I)), h[I], near_I));
-                                      return Basis(near_I, I, {first / h[I], second / (h[I] * h[I])});
-                                  })
-        .A;
-}
-
 }  // namespace
 
 particles::Smoothing<double, 2> smoothing(const Cloud<2>& cloud, const Discretisation& how) {
@@ -142,11 +122,11 @@ Collocated collocated(Problem problem, const Cloud<2>& cloud, const Discretisati
     for (Index I = 0; I < N; ++I) near.push_back(neighbours(all.w, I));
     all.system = collocation::system_on(near, problem, cloud, [&](Index I) { return basis_at(all.w, I); });
     all.system.worst = worst;
-    if (N > solvers::small_system / 2) all.system.nearest = on_nearest(problem, cloud, h);
+    if (N > solvers::small_system / 2) all.system.elements = batra2008::linear_elements(problem, cloud);
     return all;
 }
 
-Solution solved(Collocated equations, const batra2008::elastostatics::Material& material) {
+Solution solved(Collocated&& equations, const batra2008::elastostatics::Material& material) {
     const Eigen::VectorXd unknowns = batra2008::solved(std::move(equations.system));
     const auto& [D, D2] = equations.w;
     Solution solution{material, {}, {}, {}};

@@ -107,7 +107,7 @@ struct Solution {
 };
 
 /// The solution of the equations. \throws base::FailedComputation as batra2008::solved()
-Solution solved(Collocated equations, const batra2008::elastostatics::Material& material);
+Solution solved(Collocated&& equations, const batra2008::elastostatics::Material& material);
 
 /// Both together.
 /// \throws base::InvalidInput, base::FailedComputation if the method cannot solve the problem

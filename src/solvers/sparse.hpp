@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/vector_width.hpp"
 #include "solvers/rows.hpp"
@@ -32,6 +33,18 @@ inline constexpr double largest_residual = 1e-12;
 std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b,
                                         const SparseRows& nearest);
 
+/// Equations of the same body that are solved in little time: those of finite elements, or none.
+struct Elements {
+    SparseRows K{};                    ///< symmetric positive definite, with the unknowns of A
+    std::vector<Eigen::Index> edge{};  ///< rows of A at the boundary, whose meaning is another one
+};
+
+/// The same, where the preconditioner is a solution by elements and then one of the equations of A on the
+/// edge and two layers of neighbours, for what is left there. The elements know what varies slowly; the edge
+/// knows the conditions, which collocation imposes in a way of its own.
+/// \param A its rows scaled to a largest entry of 1 \param elements are freed as soon as they are factorised
+std::optional<Eigen::VectorXd> iterated(const SparseRows& A, const Eigen::VectorXd& b, Elements&& elements);
+
 /// Number of unknowns up to which a factorisation takes less time than the iteration.
 inline constexpr Eigen::Index small_system = 4000;
 
@@ -48,6 +61,9 @@ inline Eigen::Index enough_neighbours(Eigen::Index unknowns, Eigen::Index least)
 /// \param nearest those equations, unscaled; no rows for a small system, which is factorised in less time
 /// \throws base::FailedComputation where A is singular to working precision or the residual stays large
 Eigen::VectorXd solve_sparse(SparseRows&& A, Eigen::VectorXd b, SparseRows&& nearest = {});
+
+/// The same with elements, or none for a small system.
+Eigen::VectorXd solve_sparse(SparseRows&& A, Eigen::VectorXd b, Elements&& elements);
 
 /// The factors of a matrix, for many right-hand sides. Each row is scaled as by scale_rows().
 class SparseFactors {

@@ -1,5 +1,6 @@
 #include "batra2008/section_3_2_mlpg.hpp"
 
+#include "batra2008/section_4_2_hole.hpp"
 #include "tests/batra2008/elastic.hpp"
 
 using namespace batra2008;
@@ -235,4 +236,25 @@ TEST_CASE("mlpg: on irregular particles the error falls with the number of Gauss
         CHECK(fine < 0.5 * medium);
         CHECK(fine < 1e-6);
     }
+}
+
+TEST_CASE("mlpg: by iteration and by factorisation the displacements agree to 1e-9") {
+    const Problem of_plate = plate::problem({plate::E, plate::nu}),
+                  of_hole = hole::problem({hole::E, hole::nu}, {});
+    const double alpha = plate::penalty(of_plate.material), alpha_of_hole = hole::penalty(of_hole.material);
+    for (const auto& [problem, x, penalty] :
+         {std::tuple(of_plate, support::moved_grid(31, 7, 0.1, 2), alpha),
+          std::tuple(of_hole, hole::graded_layout({}, 188, 11, 1), alpha_of_hole)})
+        for (const Gradient gradient : {Gradient::own_basis, Gradient::differentiated}) {
+            const Cloud<2> cloud(x);
+            System equations =
+                system<2>(problem, cloud, Kernel(3), cloud.apart(), {gradient, penalty, 1, 4}, 0);
+            solvers::SparseRows none;
+            solvers::scale_rows(equations.A, equations.b, none);
+            const Eigen::VectorXd direct =
+                solvers::solve_sparse(solvers::SparseRows(equations.A), equations.b);
+            const auto iterated = solvers::iterated(equations.A, equations.b, std::move(equations.elements));
+            REQUIRE(iterated.has_value());
+            CHECK((*iterated - direct).cwiseAbs().maxCoeff() < 1e-9 * direct.cwiseAbs().maxCoeff());
+        }
 }

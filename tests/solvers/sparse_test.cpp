@@ -198,6 +198,26 @@ TEST_CASE("sparse: a singular system is refused whatever stands for the nearest 
             base::FailedComputation);
 }
 
+TEST_CASE("sparse: with elements, too, what is singular is refused and what fails is factorised") {
+    const SparseRows A = random_matrix(200, 5, 1);
+    SparseRows K = rows_in_blocks(ring(200), 2), none = K;
+    K.diagonal().setConstant(3);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(400, -1, 3), b = A * x;
+    const auto with = [](const SparseRows& K_) { return Elements{K_, {0, 1, 398, 399}}; };
+    Eigen::VectorXd b_scaled = b;
+    SparseRows scaled = A, no_rows;
+    scale_rows(scaled, b_scaled, no_rows);
+    const auto found = iterated(scaled, b_scaled, with(K));
+    REQUIRE(found.has_value());
+    CHECK((*found - x).cwiseAbs().maxCoeff() < 1e-11);
+    CHECK(!iterated(scaled, b_scaled, with(none)).has_value());
+    CHECK((solve_sparse(SparseRows(A), b, with(none)) - x).cwiseAbs().maxCoeff() < 1e-13);
+    SparseRows singular = A;
+    singular.row(7) = 2 * singular.row(9);
+    CHECK_THROWS_WITH_AS(solve_sparse(SparseRows(singular), b, with(K)), doctest::Contains("is singular"),
+                         base::FailedComputation);
+}
+
 TEST_CASE("sparse: the same bits on any number of threads") {
     const SparseRows A = random_matrix(300, 5, 5);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(600, -1, 3);
