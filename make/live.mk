@@ -5,7 +5,7 @@ live := $(BUILD)/live
 live_sources := $(live_programs:%=src/programs/%.cpp) $(wildcard $(addsuffix /*.cpp,$(addprefix src/,\
                   web base particles solvers expressions asprone2010 fpm_in_space command_line))) src/report/file.cpp src/report/table.cpp
 # None of these programs needs them.
-without := %/choices.cpp $(addprefix src/,solvers/sparse.cpp solvers/sparse_spectrum.cpp solvers/rows.cpp particles/quadrature.cpp particles/region_% \
+without := %/choices.cpp $(addprefix src/,solvers/definite.cpp solvers/sparse.cpp solvers/sparse_spectrum.cpp solvers/rows.cpp particles/quadrature.cpp particles/region_% \
                particles/triangle_rule.cpp fpm_in_space/section_3% fpm_in_space/section_5% fpm_in_space/section_6% fpm_in_space/section_7% \
                command_line/body_% command_line/timed_% command_line/example_problems.cpp command_line/membranes.cpp command_line/field_file.cpp)
 live_objects := $(patsubst %.cpp,$(live)/%.o,$(filter-out $(without),$(live_sources)))

@@ -9,4 +9,4 @@ set_target_properties(particle-methods::particle-methods PROPERTIES
     INTERFACE_COMPILE_OPTIONS -fopenmp
     INTERFACE_LINK_OPTIONS -fopenmp
     INTERFACE_LINK_LIBRARIES
-    "Eigen3::Eigen;${particle_methods_prefix}/lib/libparticle-methods.a;umfpack;lapacke;openblas;gsl;quadmath")
+    "Eigen3::Eigen;${particle_methods_prefix}/lib/libparticle-methods.a;umfpack;cholmod;lapacke;openblas;gsl;quadmath")

@@ -8,7 +8,6 @@
 #include "base/text.hpp"
 #include "batra2008/section_3_1_collocation.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
-#include "fpm_in_space/ssph_with_value_given.hpp"
 #include "particles/on_values.hpp"
 #include "particles/quality.hpp"
 #include "particles/requirement.hpp"

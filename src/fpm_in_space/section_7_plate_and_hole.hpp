@@ -91,8 +91,7 @@ struct Collocated {
     Operators<double, 2> w;
 };
 
-/// The system of collocation with these weights; a large one has the same equations on the nearest particles,
-/// by ssph_with_value_given() of degree 2.
+/// The system of collocation with these weights; a large one has linear elements.
 /// \throws base::InvalidInput as elastostatics::checked()
 /// \throws base::FailedComputation as operators(), and where the quality number R of a particle's derivatives
 ///         is above batra2008::ssph_basis::most

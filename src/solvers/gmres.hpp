@@ -30,6 +30,7 @@ std::optional<Eigen::VectorXd> gmres(const Apply& apply, const Eigen::VectorXd& 
     Eigen::Index k = 0;
     while (k < most && std::abs(g[k]) > enough) {
         Eigen::VectorXd w = apply(Q.back());
+        const double size = w.norm();
         for (Eigen::Index j = 0; j <= k; ++j) {
             const Eigen::VectorXd& q = Q[static_cast<std::size_t>(j)];
             R(j, k) = q.dot(w);
@@ -42,8 +43,9 @@ std::optional<Eigen::VectorXd> gmres(const Apply& apply, const Eigen::VectorXd& 
         const double length = R(k + 1, k);
         R.col(k).applyOnTheLeft(k, k + 1, rotations.back().adjoint());
         g.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
+        if (!(std::abs(R(k, k)) > 1e-14 * size)) return {};  // singular, or not finite
         ++k;
-        if (!(length > 0)) break;  // the space holds the solution, or w is not finite
+        if (!(length > 0)) break;  // the space holds the solution
         Q.push_back(w / length);
     }
     if (!(std::abs(g[k]) <= enough)) return {};

@@ -80,7 +80,7 @@ std::optional<Eigen::VectorXd> iterated_by(const Inverse& inverse, const SparseR
     const Eigen::VectorXd first = inverse(b);
     // A solution far larger than this means that A is singular and what stands for it is not.
     const double most = 1e6 * first.cwiseAbs().maxCoeff();
-    auto x = gmres(apply, first, 1e-13 * first.norm(), 150);
+    auto x = gmres(apply, first, 1e-14 * first.norm(), 150);
     // Where round-off has separated the two residuals, restart from the true one.
     for (int restarts = 0; x && x->cwiseAbs().maxCoeff() <= most; ++restarts) {
         if (relative_residual(A, *x, b) < largest_residual) return x;
