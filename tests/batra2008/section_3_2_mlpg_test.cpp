@@ -165,7 +165,10 @@ TEST_CASE(
         const GradientWeights T = gradient(basis, how);
         CHECK((T.by_x1 * u1).sum() == support::relative(quadratic.gradient(x)(0, 0), 1e-11));
         CHECK((T.by_x2 * u2).sum() == support::relative(quadratic.gradient(x)(1, 1), 1e-11));
-        const Vector by_blocks = collocation::sums(N({0.6, 0.8}) * elastostatics::D(material) * T, u1, u2);
+        const Column<double> zero = Column<double>::Zero(u1.size());
+        Block block{zero, zero, zero, zero};
+        mlpg::detail::add(block, 1, N({0.6, 0.8}) * elastostatics::D(material) * T);
+        const Vector by_blocks = collocation::sums(block, u1, u2);
         const Vector exact = elastostatics::traction(quadratic.stress(x), {0.6, 0.8});
         CHECK((by_blocks - exact).norm() < 1e-11 * exact.norm());
     }
