@@ -33,7 +33,8 @@ bool within_reach_of_pack(const Line<double>& line, const Smoothing<double>& smo
     const auto right = counted(behind, [&](Index k) { return Pack::from(x + k) < most; });
     if (!left || !right) return false;
     for (int lane = 0; lane < Pack::lanes; ++lane)
-        near[lane] = {i + lane - (*left)[lane], i + lane + 1 + (*right)[lane]};
+        near[lane] = {i + lane - static_cast<Index>((*left)[lane]),
+                      i + lane + 1 + static_cast<Index>((*right)[lane])};
     return true;
 }
 
