@@ -11,9 +11,6 @@
 #include "particles/multi_index.hpp"
 #include "particles/points.hpp"
 
-/// \file
-/// Sums of monomials over the neighbours of a place, and polynomials at them: all that a local fit does once for
-/// each neighbour. In double precision several neighbours are computed at once, one in each lane of a Pack.
 namespace particles {
 
 using base::Index;
@@ -130,7 +127,9 @@ inline double sum_of_lanes(const Pack& group) {
 
 }  // namespace detail
 
-/// Moments, the sums of the monomials over the neighbours:
+/// Moments, the sums of the monomials over the neighbours. With polynomials() they are all that a local fit does
+/// once for each neighbour. In double precision several neighbours are computed at once, one in each lane of a
+/// Pack.
 /// \f[ \mu_a = \sum_j w_j\,r_j^a, \quad |a| \le m \f]
 /// \param r offsets of the neighbours \param w factor of each
 /// \return one for each monomial, in the order of monomials()
