@@ -311,37 +311,6 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
     return basis_at<m>(cloud, kernel, x, h, cloud.around(x, kernel.rho() * h), slopes, lengths);
 }
 
-template <int dim, int m>
-BasesNear<dim, m>::BasesNear(const particles::Cloud<dim>& cloud,
-                             const particles::TruncatedGaussian<dim>& kernel, double h,
-                             const std::vector<int>& particle, Slopes slopes, const Column<double>& lengths)
-    : cloud_(cloud),
-      kernel_(kernel),
-      h_(h),
-      particle_(particle),
-      slopes_(slopes),
-      lengths_(lengths),
-      x_(static_cast<Index>(particle.size()), dim) {
-    for (Index J = 0; J < x_.rows(); ++J)
-        x_.row(J) = cloud.x().col(particle[static_cast<std::size_t>(J)]).transpose();
-}
-
-template <int dim, int m>
-Basis<dim, m> BasesNear<dim, m>::basis_at(const Point<dim>& x) const {
-    const double edge = particles::reach<double>(kernel_);
-    Neighbourhood<double, dim> near{(x_.rowwise() - x.transpose().array()) / h_, {}, {}, {}};
-    const Column<double> q = particles::squared_lengths(near.r);
-    near.W = (q < edge * edge).select(kernel_.at(q), 0);
-    if (slopes_ == Slopes::known)
-        near.DW = near.r.colwise() * (q < edge * edge).select(-2 * (near.W + kernel_.edge()), 0);
-    try {
-        return Basis<dim, m>(std::move(near), {}, h_);
-    } catch (const particles::SingularNeighbourhood&) {
-        static_cast<void>(ssph_basis::basis_at<m>(cloud_, kernel_, x, h_, particle_, slopes_, lengths_));
-        throw;  // there is a remedy for it
-    }
-}
-
 template <int m, int dim>
 particles::WorstRow require_quality(const particles::Cloud<dim>& cloud,
                                     const particles::TruncatedGaussian<dim>& kernel, const Column<double>& h,
@@ -382,7 +351,6 @@ std::vector<int> nearest_that_determine(const particles::Cloud<dim>& cloud,
 
 // The functions of this file for a dimension and a degree.
 #define BATRA2008_BASIS_AT(dim, m)                                                                          \
-    template class BasesNear<dim, m>;                                                                       \
     template Basis<dim, m> basis_at(const particles::Cloud<dim>&, const particles::TruncatedGaussian<dim>&, \
                                     const Point<dim>&, double, const std::vector<int>&, Slopes,             \
                                     const Column<double>&);                                                 \

@@ -30,32 +30,6 @@ Basis<dim, m> basis_at(const particles::Cloud<dim>& cloud, const particles::Trun
                        const Point<dim>& x, double h, Slopes slopes = Slopes::known,
                        const Column<double>& lengths = {});
 
-/// The SSPH basis at many places that share some particles of a cloud. Those that are not in the kernel's support
-/// around a place have no weight there, so that no place needs a search.
-template <int dim, int m>
-class BasesNear {
-  public:
-    /// \param h smoothing length at all places [length] \param particle numbers of the particles, which must
-    ///        outlive the bases \param lengths as for basis_at()
-    BasesNear(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel, double h,
-              const std::vector<int>& particle, Slopes slopes, const Column<double>& lengths);
-
-    /// The particles that share the bases: \f$K_{IJ}\f$ belongs to the J-th of them, at each place.
-    [[nodiscard]] const std::vector<int>& particle() const { return particle_; }
-
-    /// \throws base::FailedComputation as basis_at()
-    [[nodiscard]] Basis<dim, m> basis_at(const Point<dim>& x) const;
-
-  private:
-    const particles::Cloud<dim>& cloud_;
-    const particles::TruncatedGaussian<dim>& kernel_;
-    double h_;
-    const std::vector<int>& particle_;
-    Slopes slopes_;
-    const Column<double>& lengths_;
-    particles::Offsets<double, dim> x_;  // positions of the particles
-};
-
 /// Largest R of a derivative that is worth a solution. The paper's cases stay below 4, grids with three
 /// particles on a side below 150.
 inline constexpr double most = 1000;

@@ -246,9 +246,9 @@ Scalar determinant(const Table<Scalar>& H, const Column<Scalar>& W) {
     });
 }
 
-/// The basis functions at a place, one set for each entry of Q. Neither H nor D is stored: an entry of C is a moment of
-/// the particles, since the product of two monomials is a monomial, and a basis function is W times a polynomial
-/// whose coefficients are a row of \f$C^{-1}\f$.
+/// The basis functions at a place, one set for each entry of Q. Neither H nor D is stored: an entry of C is a
+/// moment of the particles, since the product of two monomials is a monomial, and a basis function is W times
+/// a polynomial, whose coefficients are a row of \f$C^{-1}\f$.
 /// \tparam dim dimension of space, 1 to 3
 /// \tparam m degree of the complete monomials, 1 to 3
 template <int dim, int m, class Scalar = double>

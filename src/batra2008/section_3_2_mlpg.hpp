@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "batra2008/bases_near.hpp"
 #include "batra2008/section_3_1_collocation.hpp"
 #include "particles/boundary.hpp"
 #include "particles/region_rules.hpp"
@@ -297,7 +298,7 @@ inline void add(Block& sum, double weight, const Difference& blocks) {
 template <int m, class QuadraturePoint, class Integrand>
 struct BlockIntegral {
     const std::vector<QuadraturePoint>& points;
-    const ssph_basis::BasesNear<2, m>& near;
+    const ssph_basis::BasesNear<m>& near;
     Integrand f;
 
     void add_to(Block& sum) const {
@@ -309,7 +310,7 @@ struct BlockIntegral {
 /// \param f value at a quadrature point, from the basis there
 template <int m, class QuadraturePoint, class Integrand>
 BlockIntegral<m, QuadraturePoint, Integrand> integral(const std::vector<QuadraturePoint>& points,
-                                                      const ssph_basis::BasesNear<2, m>& near,
+                                                      const ssph_basis::BasesNear<m>& near,
                                                       const Integrand& f) {
     return {points, near, f};
 }
@@ -349,7 +350,7 @@ inline std::vector<BoundaryPoint> on_Gamma_u(const Subdomain& Omega) {
 /// \return a block over all particles of which the bases are made
 template <int m, class GradientOf>
 Block stiffness(const Subdomain& Omega, const Eigen::Matrix3d& D, double alpha,
-                const ssph_basis::BasesNear<2, m>& near, const GradientOf& T) {
+                const ssph_basis::BasesNear<m>& near, const GradientOf& T) {
     return integral(Omega.inside, near,
                     [&](const InnerPoint& at, const auto& basis) {
                         return LM(at.DW).transpose() * D * T(basis);
@@ -436,7 +437,7 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
     const auto slopes =
         form.gradient == Gradient::differentiated ? ssph_basis::Slopes::known : ssph_basis::Slopes::none;
     const auto basis_near = [&](Index I) {
-        return ssph_basis::BasesNear<2, m>(cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes, h);
+        return ssph_basis::BasesNear<m>(cloud, kernel, h[I], near[static_cast<std::size_t>(I)], slopes, h);
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
     System all = system(

@@ -16,27 +16,50 @@ namespace particles {
 using base::Index;
 using base::Pack;
 
-/// Rows of coefficients, or of weights on the neighbours. Stored by rows, so that loops over the neighbours run
-/// through memory in order. Sizes are not part of the type: all dimensions and degrees share it, which halves
-/// the time to compile.
+/// Rows of coefficients, or of weights on the neighbours. Stored by rows, so that loops over the neighbours
+/// run through memory in order. Sizes are not part of the type: all dimensions and degrees share it, which
+/// halves the time to compile.
 template <class Scalar>
 using Table = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Index of the monomial of some exponents up to degree m; −1 if it is not among them.
+namespace detail {
+
+/// The monomials up to degree m, once for all uses.
+template <int dim, int m>
+inline constexpr auto all_monomials = monomials<dim, m>();
+
+/// The exponents of a monomial up to degree m as the digits of a number of base m + 1.
+template <int dim, int m>
+constexpr std::size_t digits(const Exponents<dim>& a) {
+    std::size_t number = 0;
+    for (const int exponent : a) number = number * (m + 1) + static_cast<std::size_t>(exponent);
+    return number;
+}
+
+/// The index of a monomial by those digits; −1 where the degree is larger.
+template <int dim, int m>
+inline constexpr auto index_by_digits = [] {
+    constexpr std::size_t base = m + 1;
+    std::array<int, dim == 1 ? base : dim == 2 ? base * base : base * base * base> table{};
+    table.fill(-1);
+    for (std::size_t k = 0; k < all_monomials<dim, m>.size(); ++k)
+        table[digits<dim, m>(all_monomials<dim, m>[k])] = static_cast<int>(k);
+    return table;
+}();
+
+}  // namespace detail
+
+/// Index of the monomial of some exponents, none above m; −1 if its degree is.
 template <int dim, int m>
 constexpr int monomial_of(const Exponents<dim>& a) {
-    constexpr auto all = monomials<dim, m>();
-    for (std::size_t k = 0; k < all.size(); ++k)
-        if (all[k] == a) return static_cast<int>(k);
-    return -1;
+    return detail::index_by_digits<dim, m>[detail::digits<dim, m>(a)];
 }
 
 /// Index of the monomial with one factor fewer of a coordinate; −1 if it has no such factor.
 template <int dim, int m>
 constexpr int lowered(int monomial, int axis) {
-    Exponents<dim> a = monomials<dim, m>()[static_cast<std::size_t>(monomial)];
-    --a[static_cast<std::size_t>(axis)];
-    return monomial_of<dim, m>(a);
+    Exponents<dim> a = detail::all_monomials<dim, m>[static_cast<std::size_t>(monomial)];
+    return a[static_cast<std::size_t>(axis)]-- == 0 ? -1 : monomial_of<dim, m>(a);
 }
 
 /// A monomial as the product of an earlier one and a coordinate.
@@ -127,9 +150,9 @@ inline double sum_of_lanes(const Pack& group) {
 
 }  // namespace detail
 
-/// Moments, the sums of the monomials over the neighbours. With polynomials() they are all that a local fit does
-/// once for each neighbour. In double precision several neighbours are computed at once, one in each lane of a
-/// Pack.
+/// Moments, the sums of the monomials over the neighbours. With polynomials() they are all that a local fit
+/// does once for each neighbour. In double precision several neighbours are computed at once, one in each
+/// lane of a Pack.
 /// \f[ \mu_a = \sum_j w_j\,r_j^a, \quad |a| \le m \f]
 /// \param r offsets of the neighbours \param w factor of each
 /// \return one for each monomial, in the order of monomials()
@@ -149,14 +172,14 @@ std::array<Scalar, terms<dim, m>> moments(const Offsets<Scalar, dim>& r, const C
     (all);
 }
 
-/// The matrix of a fit of the monomials up to degree m, \f$M_{ab} = \sum_j w_j\,r_j^a\,r_j^b\f$. An entry is the
-/// moment of the product \f$r^{a+b}\f$, and many products are alike: in space 84 moments fill 210 entries.
+/// The matrix of a fit of the monomials up to degree m, \f$M_{ab} = \sum_j w_j\,r_j^a\,r_j^b\f$. An entry is
+/// the moment of the product \f$r^{a+b}\f$, and many products are alike: in space 84 moments fill 210 entries.
 template <int dim, int m, class Scalar>
 Eigen::Matrix<Scalar, terms<dim, m>, terms<dim, m>, Eigen::RowMajor> moment_matrix(
     const Offsets<Scalar, dim>& r, const Column<Scalar>& w) {
     constexpr std::size_t n = terms<dim, m>;
     static constexpr auto place = [] {
-        constexpr auto all = monomials<dim, m>();
+        const auto& all = detail::all_monomials<dim, m>;
         std::array<std::array<std::size_t, n>, n> table{};
         for (std::size_t a = 0; a < n; ++a)
             for (std::size_t b = 0; b < n; ++b) {

@@ -11,9 +11,8 @@ namespace {
 /// A particle as seen from the one at the corner.
 struct Seen {
     int particle;
-    Point<2> r;  // offset from the corner
-    double
-        square;  // r², but for a small number of each particle's own, which decides where four lie on a circle
+    Point<2> r;     // offset from the corner
+    double square;  // r², but for a small number of its own, which decides where four lie on a circle
 };
 
 double cross(const Point<2>& a, const Point<2>& b) {
@@ -63,7 +62,7 @@ std::vector<std::array<int, 2>> triangles_at(const Cloud<2>& cloud, Index partic
     const Seen& nearest = *std::min_element(all.begin(), sixth + 1, nearer);
 
     std::vector<std::array<int, 2>> triangles;
-    // From the edge to the nearest particle on to the next edge, to the left; if that ends, then to the right.
+    // From the edge to the nearest particle on to the next edge, to the left; if that ends, to the right.
     for (const int side : {1, -1})
         for (const Seen* a = &nearest; triangles.size() < all.size();) {
             const Seen* b = nullptr;

@@ -6,9 +6,9 @@
 
 namespace solvers {
 
-/// The factors \f$A = L\,\operatorname{diag}(p)\,L^T\f$ of a small symmetric matrix, Cholesky's without roots: p holds
-/// the pivots, and L has a diagonal of ones. Eigen's factors of a matrix that a local fit has take twice the time of
-/// these loops, and far longer to compile.
+/// The factors \f$A = L\,\operatorname{diag}(p)\,L^T\f$ of a small symmetric matrix, Cholesky's without roots:
+/// p holds the pivots, and L has a diagonal of ones. Eigen's factors take twice the time of these loops on the
+/// matrix of a local fit, and far longer to compile.
 /// \tparam Scalar a real type
 /// \tparam n number of rows; if it is not known when compiling, at most 20
 template <class Scalar, int n = Eigen::Dynamic>

@@ -9,8 +9,8 @@ namespace solvers {
 
 namespace {
 
-/// Until the end of its life no loop is shared by threads. CHOLMOD's are short, and it would start four threads
-/// for each of them.
+/// Until the end of its life no loop is shared by threads. CHOLMOD's are short, and it would start four
+/// threads for each of them.
 class OneThread {
   public:
     OneThread() { omp_set_max_active_levels(0); }

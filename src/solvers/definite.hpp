@@ -7,8 +7,8 @@
 
 namespace solvers {
 
-/// Cholesky factors of a sparse symmetric positive definite matrix, for a solution that is a first guess: they
-/// are computed by CHOLMOD and kept in single precision, since a solution takes as long as to read them.
+/// Cholesky factors of a sparse symmetric positive definite matrix, for a solution that is a first guess:
+/// they are computed by CHOLMOD and kept in single precision, since a solution takes as long as to read them.
 class DefiniteFactors {
   public:
     /// \param K symmetric; the upper triangle is read
