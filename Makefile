@@ -43,7 +43,7 @@ endif
 ifeq ($(shell uname -m),x86_64)
 export OPENBLAS_CORETYPE := Nehalem
 endif
-# glibc takes memory by large pages where the system has them on request; programs that make large arrays are up to twice as fast.
+# Memory by large pages, where the system gives them on request: a large plate takes a quarter less time.
 export GLIBC_TUNABLES := glibc.malloc.hugetlb=1
 
 # A new source file is found by its folder. The folders that compile longest come first, so that no long file is left
