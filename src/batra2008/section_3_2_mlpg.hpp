@@ -328,11 +328,16 @@ Block operator+(const BlockIntegral<m, A...>& first, const BlockIntegral<m, B...
 /// The system: two rows for each particle, on the boundary as inside. \defeq{B3.22}
 /// \f[ \sum_{J=1}^{M} K'_{IJ}\,u_J = f_I \tag{3.22} \f]
 /// \param near for each particle the neighbours J, in increasing order
-/// \param K \f$K'_{IJ}\f$ for all J by I, \eq{B3.23}
-/// \param f \f$f_I\f$ by I, \eq{B3.24}
-template <class Stiffness, class Load>
-System system(const std::vector<std::vector<int>>& near, const Stiffness& K, const Load& f) {
-    return assembled(near, [&](Index I) { return Equations{near[static_cast<std::size_t>(I)], K(I), f(I)}; });
+/// \param Omega \f$\Omega_I\f$ by I
+/// \param K \f$K'_{IJ}\f$ for all J by I and its subdomain, \eq{B3.23}
+/// \param f \f$f_I\f$ by the subdomain, \eq{B3.24}
+template <class SubdomainOf, class Stiffness, class Load>
+System system(const std::vector<std::vector<int>>& near, const SubdomainOf& Omega, const Stiffness& K,
+              const Load& f) {
+    return assembled(near, [&](Index I) {
+        const Subdomain Omega_I = Omega(I);
+        return Equations{near[static_cast<std::size_t>(I)], K(I, Omega_I), f(Omega_I)};
+    });
 }
 
 /// The points of \f$\Gamma^I_u\f$: those where the displacement of a component is given.
@@ -441,8 +446,11 @@ System system(Problem problem, const Cloud<2>& cloud, const Kernel& kernel, cons
     };
     const auto T = [&](const auto& basis) { return gradient(basis, form.gradient); };
     System all = system(
-        near, [&](Index I) { return stiffness(Omega(I), D, form.penalty, basis_near(I), T); },
-        [&](Index I) { return load(Omega(I), problem.exact, form.penalty); });
+        near, Omega,
+        [&](Index I, const Subdomain& Omega_I) {
+            return stiffness(Omega_I, D, form.penalty, basis_near(I), T);
+        },
+        [&](const Subdomain& Omega_I) { return load(Omega_I, problem.exact, form.penalty); });
     all.worst = worst;
     if (cloud.size() > small) all.elements = linear_elements(problem, cloud);
     return all;
