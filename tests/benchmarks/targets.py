@@ -61,10 +61,10 @@ line("the same, one solution, 10⁶, 1", "0.5 s", "static", "uncorrected", 10**6
 line("the same, corrected, 10⁷, 1", "as 10⁶", "static", "corrected", 10**7, 1, 1e-9, "s")
 line("all modes, 2000, 1", "20 s", "modes", "all", 2000, 1, 1e-9, "s")
 line("lowest ten modes, 10⁶, 2", "5 s", "modes", "lowest ten", 10**6, 2, 1e-9, "s")
-line("SSPH basis, m = 2, 2D, 10⁵, 1", "1 µs", "basis", "m = 2", 10**5, 1, 1e-3, "µs", "NumPy m = 2")
+line("SSPH basis, m = 2, 2D, 10⁵, 1", "0.35 µs", "basis", "m = 2", 10**5, 1, 1e-3, "µs", "NumPy m = 2")
 line("search of neighbours, 2D, 10⁵, 1", "0.4 µs", "search", "cells", 10**5, 1, 1e-3, "µs", "SciPy cKDTree")
 line("plate in all, strong, 10⁴, 2", "0.3 s", "plate in all", "strong", 10**4, 2, 1e-9, "s")
-line("plate in all, strong, 10⁵, 2", "10 s", "plate in all", "strong", 10**5, 2, 1e-9, "s")
+line("plate in all, strong, 10⁵, 2", "5 s", "plate in all", "strong", 10**5, 2, 1e-9, "s")
 for weak in ("weak1", "weak2"):
     line(f"plate in all, {weak}, 10⁵, 2", "", "plate in all", weak, 10**5, 2, 1e-9, "s")
 
