@@ -63,8 +63,9 @@ std::vector<std::array<int, 2>> triangles_at(const Cloud<2>& cloud, Index partic
 
     std::vector<std::array<int, 2>> triangles;
     // From the edge to the nearest particle on to the next edge, to the left; if that ends, to the right.
-    for (const int side : {1, -1})
-        for (const Seen* a = &nearest; triangles.size() < all.size();) {
+    for (const int side : {1, -1}) {
+        const Seen* a = &nearest;
+        for (std::size_t step = 0; step < all.size(); ++step) {
             const Seen* b = nullptr;
             for (const Seen& c : all) {
                 if (side * cross(a->r, c.r) <= 1e-9 * nearest.square) continue;
@@ -78,6 +79,7 @@ std::vector<std::array<int, 2>> triangles_at(const Cloud<2>& cloud, Index partic
             if (b == &nearest) return triangles;
             a = b;
         }
+    }
     return triangles;
 }
 

@@ -1,5 +1,7 @@
 #include "batra2008/section_2_ssph_basis.hpp"
 
+#include <Eigen/Cholesky>
+
 #include "report/statistics.hpp"
 #include "tests/batra2008/bases.hpp"
 #include "tests/relative.hpp"

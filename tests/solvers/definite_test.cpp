@@ -30,13 +30,13 @@ SparseRows laplacian(int n, bool held) {
 }  // namespace
 
 TEST_CASE("definite: a known solution is found to single precision, on any number of threads") {
+    const int threads = omp_get_max_threads(), levels = omp_get_max_active_levels();
     for (const int n : {1, 2, 9, 60}) {
         const SparseRows K = laplacian(n, true);
         const DefiniteFactors factors(K);
         REQUIRE(factors.succeeded());
         const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(n * n, -1, 3), found = factors.solve(K * x);
         CHECK((found - x).norm() < 1e-4 * x.norm());
-        const int threads = omp_get_max_threads(), levels = omp_get_max_active_levels();
         omp_set_num_threads(threads == 1 ? 3 : 1);
         CHECK(DefiniteFactors(K).solve(K * x) == found);
         omp_set_num_threads(threads);
@@ -46,6 +46,9 @@ TEST_CASE("definite: a known solution is found to single precision, on any numbe
 
 TEST_CASE("definite: a matrix that is singular or indefinite has no factors") {
     CHECK(!DefiniteFactors(laplacian(9, false)).succeeded());
+    SparseRows hardly_held = laplacian(9, false);
+    hardly_held.coeffRef(0, 0) += 1e-11;
+    CHECK(!DefiniteFactors(hardly_held).succeeded());
     SparseRows negative = laplacian(9, true);
     negative.coeffRef(40, 40) = -4;
     CHECK(!DefiniteFactors(negative).succeeded());

@@ -46,6 +46,10 @@ TEST_CASE("gmres: an identity needs one step, nothing none, and what is singular
         return Eigen::Vector3d(v[0], v[1], 0);
     };
     CHECK(!gmres(singular, c, 1e-10, 10).has_value());
+    const auto singular_by_round_off = [](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+        return Eigen::Vector3d(v[0], v[1], 1e-17 * v[2]);
+    };
+    CHECK(!gmres(singular_by_round_off, c, 1e-10, 10).has_value());
     const auto no_number = [](const Eigen::VectorXd& v) -> Eigen::VectorXd { return v * std::nan(""); };
     CHECK(!gmres(no_number, c, 1e-10, 10).has_value());
 }
