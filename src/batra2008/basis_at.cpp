@@ -53,6 +53,7 @@ bool determined(const particles::Cloud<dim>& cloud, const particles::TruncatedGa
 template <int m, int dim>
 double quality_at(const particles::Cloud<dim>& cloud, const particles::TruncatedGaussian<dim>& kernel,
                   const Point<dim>& x, double h, int k) {
+    if (k < 0) return 0;  // no derivative is wanted
     const std::vector<int> around = cloud.around(x, kernel.rho() * h);
     particles::Support<dim> support = support_at(cloud, kernel, x, h, around);
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -115,6 +116,7 @@ bool serves(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
             const Column<double>& h, const Needs<dim>& needs, Index j) {
     const auto h_of = [&](Index i) { return h[h.size() == 1 ? 0 : i]; };
     const Point<dim> x = cloud.x().col(j);
+    if (needs.k_of(j) < 0) return true;
     if (!(monomials.quality(cloud, rho, h_of(j), x, needs.k_of(j)) < needs.most)) return false;
     const Index neighbours = std::min<Index>(4 * dim, cloud.size() - 1);
     const double near = 1.01 * particles::distance_to_nearest(cloud, j, neighbours);

@@ -132,9 +132,19 @@ particles::Smoothing<double, dim> Approximation<dim>::smoothing() const {
 }
 
 template <int dim>
+double Approximation<dim>::reach(Index I) const {
+    return (how_.method == Method::fpm ? cut<dim> : how_.scaling) * h_[I];
+}
+
+template <int dim>
 std::vector<int> Approximation<dim>::neighbours(Index I) const {
-    const double reach = how_.method == Method::fpm ? cut<dim> : how_.scaling;
-    return cloud_.within(cloud_.x().col(I), reach * h_[I]);
+    return cloud_.within(cloud_.x().col(I), reach(I));
+}
+
+template <int dim>
+std::vector<int> Approximation<dim>::neighbours_at(const Point<dim>& x) const {
+    const Index I = cloud_.nearest(x);
+    return how_.method == Method::fpm ? neighbours(I) : cloud_.within(x, reach(I));
 }
 
 template <int dim>
@@ -159,7 +169,7 @@ template <int dim>
 Weights<dim> Approximation<dim>::at(const Point<dim>& x, Derivatives which) const {
     const Index I = cloud_.nearest(x);
     if (how_.method == Method::fpm) return moved(at_particle(I), Point<dim>(x - cloud_.x().col(I)));
-    return at(x, h_[I], cloud_.within(x, how_.scaling * h_[I]), which);
+    return at(x, h_[I], cloud_.within(x, reach(I)), which);
 }
 
 template <int dim>

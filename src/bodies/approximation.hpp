@@ -105,8 +105,14 @@ class Approximation {
     /// The fewest neighbours that determine the derivatives of at_particle_from_nearest().
     [[nodiscard]] Index least_neighbours() const;
 
+    /// Distance within which particles may enter the weights of one. [length]
+    [[nodiscard]] double reach(Index I) const;
+
     /// The neighbours of a particle that may enter its weights, in increasing order.
     [[nodiscard]] std::vector<int> neighbours(Index I) const;
+
+    /// The particles that may enter the weights at a place of the body.
+    [[nodiscard]] std::vector<int> neighbours_at(const Point<dim>& x) const;
 
   private:
     Cloud<dim> cloud_;

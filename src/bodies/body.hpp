@@ -23,7 +23,7 @@
 /// | `weak1`, `weak2` | the balance, weighted on a disc | loads as integrals, values by a penalty |
 /// | `hats` | the balance, weighted by a hat of the cells | loads as integrals, values at the particle |
 ///
-/// state_at() has the solution anywhere, balance() the loads and reactions, eigenvalues() the lowest modes,
+/// state_at() has the solution anywhere, judgement() the loads and reactions, eigenvalues() the lowest modes,
 /// and extrapolated() the error bar from three clouds.
 namespace bodies {
 

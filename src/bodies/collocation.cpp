@@ -1,7 +1,7 @@
 #include "bodies/collocation.hpp"
 
 #include <array>
-#include <functional>
+#include <numeric>
 
 #include "base/parallel.hpp"
 
@@ -51,45 +51,78 @@ Row<n> equation_at(const Equation<dim, n>& equation, const std::vector<Condition
     return {one.of_value ? value_along<n>(one.direction, at.value) : load(equation, x, at, one), one.given};
 }
 
+/// Writes the equations of the k-th of some particles into rows of A and b.
+template <int dim, int n>
+void write(solvers::SparseRows& A, Eigen::VectorXd& b, Index k, const Equation<dim, n>& equation,
+           const std::vector<Condition<dim, n>>& here, const Point<dim>& x, const Weights<dim>& at) {
+    for (int i = 0; i < n; ++i) {
+        const Row<n> row = equation_at(equation, here, x, at, i);
+        set_row<n>(A, n * k + i, at.particle, row.factors);
+        b[n * k + i] = row.given;
+    }
+}
+
+/// Calls `work(k, I)` for the k-th of some particles, I, in parallel.
+template <class Work>
+void for_each_of(const std::vector<int>& rows, const Work& work) {
+    base::for_each_index(static_cast<Index>(rows.size()),
+                         [&](Index k) { work(k, Index{rows[static_cast<std::size_t>(k)]}); });
+}
+
 }  // namespace
 
 template <int dim, int n>
 System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
-                  const Approximation<dim>& approximation, Wanted wanted) {
+                  const Approximation<dim>& approximation, Wanted wanted, const std::vector<int>& rows) {
     const Cloud<dim>& cloud = approximation.cloud();
-    const Index N = cloud.size();
-    const auto each = [&](const auto& work) {
-        base::for_each_index(N, [&](Index I) { work(I, static_cast<std::size_t>(I)); });
-    };
-    const auto write = [&](solvers::SparseRows& A, Eigen::VectorXd& b, Index I, const Weights<dim>& at) {
-        for (int i = 0; i < n; ++i) {
-            const Row<n> row = equation_at(problem.equation, conditions[static_cast<std::size_t>(I)],
-                                           Point<dim>(cloud.x().col(I)), at, i);
-            set_row<n>(A, n * I + i, at.particle, row.factors);
-            b[n * I + i] = row.given;
-        }
-    };
-    std::vector<std::vector<int>> near(static_cast<std::size_t>(N));
-    each([&](Index I, std::size_t k) { near[k] = approximation.neighbours(I); });
-    System system = empty_system<n>(near, wanted);
-    each([&](Index I, std::size_t k) {
+    std::vector<std::vector<int>> near(rows.size());
+    for_each_of(rows,
+                [&](Index k, Index I) { near[static_cast<std::size_t>(k)] = approximation.neighbours(I); });
+    System system = empty_system<n>(near, wanted, cloud.size());
+    for_each_of(rows, [&](Index k, Index I) {
         const Weights<dim> at = approximation.at_particle(I);
-        write(system.A, system.b, I, at);
-        if (wanted == Wanted::solution || !conditions[k].empty()) return;
+        const auto& here = conditions[static_cast<std::size_t>(I)];
+        write<dim, n>(system.A, system.b, k, problem.equation, here, cloud.x().col(I), at);
+        if (wanted == Wanted::solution || !here.empty()) return;
         for (int i = 0; i < n; ++i)
-            set_row<n>(system.M, n * I + i, at.particle, -value_along<n>(Values<n>::Unit(i), at.value));
+            set_row<n>(system.M, n * k + i, at.particle, -value_along<n>(Values<n>::Unit(i), at.value));
     });
-    if (n * N <= solvers::small_system) return system;
+    return system;
+}
 
-    const Index enough = solvers::enough_neighbours(n * N, approximation.least_neighbours());
-    std::vector<Weights<dim>> few(near.size());
-    each([&](Index I, std::size_t k) {
-        few[k] = approximation.at_particle_from_nearest(I, enough);
-        near[k] = few[k].particle;
+template <int dim, int n>
+solvers::SparseRows collocated_on_nearest(const Problem<dim, n>& problem,
+                                          const Conditions<dim, n>& conditions,
+                                          const Approximation<dim>& approximation, Index enough,
+                                          const std::vector<int>& rows) {
+    const Cloud<dim>& cloud = approximation.cloud();
+    std::vector<Weights<dim>> few(rows.size());
+    std::vector<std::vector<int>> near(rows.size());
+    for_each_of(rows, [&](Index k, Index I) {
+        const auto place = static_cast<std::size_t>(k);
+        few[place] = approximation.at_particle_from_nearest(I, enough);
+        near[place] = few[place].particle;
     });
-    system.nearest = solvers::rows_in_blocks(near, n);
-    Eigen::VectorXd same = system.b;
-    each([&](Index I, std::size_t k) { write(system.nearest, same, I, few[k]); });
+    solvers::SparseRows A = solvers::rows_in_blocks(near, n, cloud.size());
+    Eigen::VectorXd b(A.rows());
+    for_each_of(rows, [&](Index k, Index I) {
+        write<dim, n>(A, b, k, problem.equation, conditions[static_cast<std::size_t>(I)], cloud.x().col(I),
+                      few[static_cast<std::size_t>(k)]);
+    });
+    return A;
+}
+
+template <int dim, int n>
+System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
+                  const Approximation<dim>& approximation, Wanted wanted) {
+    const Index N = approximation.cloud().size();
+    std::vector<int> all(static_cast<std::size_t>(N));
+    std::iota(all.begin(), all.end(), 0);
+    System system = collocated(problem, conditions, approximation, wanted, all);
+    if (n * N > solvers::small_system)
+        system.nearest =
+            collocated_on_nearest(problem, conditions, approximation,
+                                  solvers::enough_neighbours(n * N, approximation.least_neighbours()), all);
     return system;
 }
 
@@ -97,5 +130,21 @@ template System collocated(const Problem<2, 1>&, const Conditions<2, 1>&, const 
 template System collocated(const Problem<3, 1>&, const Conditions<3, 1>&, const Approximation<3>&, Wanted);
 template System collocated(const Problem<2, 2>&, const Conditions<2, 2>&, const Approximation<2>&, Wanted);
 template System collocated(const Problem<3, 3>&, const Conditions<3, 3>&, const Approximation<3>&, Wanted);
+template System collocated(const Problem<2, 1>&, const Conditions<2, 1>&, const Approximation<2>&, Wanted,
+                           const std::vector<int>&);
+template solvers::SparseRows collocated_on_nearest(const Problem<2, 1>&, const Conditions<2, 1>&,
+                                                   const Approximation<2>&, Index, const std::vector<int>&);
+template System collocated(const Problem<3, 1>&, const Conditions<3, 1>&, const Approximation<3>&, Wanted,
+                           const std::vector<int>&);
+template solvers::SparseRows collocated_on_nearest(const Problem<3, 1>&, const Conditions<3, 1>&,
+                                                   const Approximation<3>&, Index, const std::vector<int>&);
+template System collocated(const Problem<2, 2>&, const Conditions<2, 2>&, const Approximation<2>&, Wanted,
+                           const std::vector<int>&);
+template solvers::SparseRows collocated_on_nearest(const Problem<2, 2>&, const Conditions<2, 2>&,
+                                                   const Approximation<2>&, Index, const std::vector<int>&);
+template System collocated(const Problem<3, 3>&, const Conditions<3, 3>&, const Approximation<3>&, Wanted,
+                           const std::vector<int>&);
+template solvers::SparseRows collocated_on_nearest(const Problem<3, 3>&, const Conditions<3, 3>&,
+                                                   const Approximation<3>&, Index, const std::vector<int>&);
 
 }  // namespace bodies

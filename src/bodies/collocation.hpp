@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bodies/rows.hpp"
 
 namespace bodies {
@@ -11,5 +13,19 @@ namespace bodies {
 template <int dim, int n>
 System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
                   const Approximation<dim>& approximation, Wanted wanted = Wanted::solution);
+
+/// The equations of some particles, n rows for each in the order of `rows`. They do not change where other
+/// particles, beyond the neighbours of these, are left out.
+template <int dim, int n>
+System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
+                  const Approximation<dim>& approximation, Wanted wanted, const std::vector<int>& rows);
+
+/// The same on few neighbours, for a preconditioner: System::nearest.
+/// \param enough least number of neighbours, see solvers::enough_neighbours()
+template <int dim, int n>
+solvers::SparseRows collocated_on_nearest(const Problem<dim, n>& problem,
+                                          const Conditions<dim, n>& conditions,
+                                          const Approximation<dim>& approximation, Index enough,
+                                          const std::vector<int>& rows);
 
 }  // namespace bodies

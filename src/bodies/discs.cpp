@@ -56,7 +56,7 @@ System on_discs(const Problem<2, n>& problem, const Body<2>& body, const Approxi
         near[static_cast<std::size_t>(I)] =
             cloud.within(cloud.x().col(I), (how.scaling + how.test_scaling) * approximation.h()[I]);
     });
-    System system = empty_system<n>(near, wanted);
+    System system = empty_system<n>(near, wanted, static_cast<Index>(near.size()));
     base::for_each_index(N, [&](Index I) {
         const Point<2> x_I = cloud.x().col(I);
         const double h = approximation.h()[I], reach = test.rho() * h;

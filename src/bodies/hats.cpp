@@ -215,7 +215,7 @@ System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, W
     trial.on_cell = [&](int c) { return on_cell[static_cast<std::size_t>(c)]; };
     std::vector<std::vector<int>> all_near(static_cast<std::size_t>(N));
     base::for_each_index(N, [&](Index I) { all_near[static_cast<std::size_t>(I)] = near(I, trial); });
-    System system = empty_system<n>(all_near, wanted);
+    System system = empty_system<n>(all_near, wanted, static_cast<Index>(all_near.size()));
     base::for_each_index(N, [&](Index I) {
         const auto& here = all_near[static_cast<std::size_t>(I)];
         const auto& given = conditions[static_cast<std::size_t>(I)];

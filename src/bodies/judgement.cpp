@@ -3,10 +3,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.hpp"
 #include "bodies/hats.hpp"
 #include "bodies/integrals.hpp"
+#include "particles/cloud.hpp"
 
 namespace bodies {
 
@@ -58,53 +60,36 @@ Acting<n> acting(const Given<dim, n>* given, const IntegrationPoint<dim>& at, co
     return here;
 }
 
-/// The integral of a vector, and that of its size.
-template <int n>
-struct Integral {
-    Values<n> vector = Values<n>::Zero();
-    double size = 0;
-
-    void add(double weight, const Values<n>& value) {
-        vector += weight * value;
-        size += weight * value.stableNorm();
-    }
-};
-
-/// What acts on a side or in the volume.
-template <int n>
-struct Forces {
-    Integral<n> load;      ///< that is given
-    Integral<n> reaction;  ///< the solution's own load where a value is given
-    double parts = 0;  ///< the sizes of what is subtracted in a load, such as a u0 and a u, as an integral
-    double area = 0;   ///< of the side
-};
-
 /// A solution that hardly varies has nothing but round-off in F; this is its share of size_of_terms().
 constexpr double negligible = 1e-9;
 
 /// The size of the terms whose sum is F.
 template <int dim, int n>
-double size_of_terms(const Problem<dim, n>& problem, const Body<dim>& body,
-                     const Solution<dim, n>& solution) {
-    return problem.equation.A(body.x.col(0)).norm() * solution.u.cwiseAbs().maxCoeff() /
-           solution.approximation.cloud().spacing();
+double size_of_terms(const Sums<n>& sums, const Extent<dim>& extent) {
+    return sums.coefficient * sums.largest_u / extent.spacing();
 }
 
+/// Adds what a side has.
 template <int dim, int n>
-Forces<n> forces_on(const Given<dim, n>& given, const Problem<dim, n>& problem, const Body<dim>& body,
-                    const Solution<dim, n>& solution) {
-    Forces<n> all;
-    for (const auto& at : rule_on(side_named(body, given.side), solution.approximation.cloud().spacing())) {
+void add_side(Sums<n>& sums, const Side<dim>& side, const Problem<dim, n>& problem,
+              const Solution<dim, n>& solution, double spacing) {
+    const Given<dim, n>* given = problem.given_on(side);
+    for (const auto& at : rule_on(side, spacing)) {
         const State<dim, n> state = state_at(problem, solution, at.x);
-        const auto [applied, valued] = acting<dim, n>(&given, at, state.u);
-        all.area += at.weight;
-        all.load.add(at.weight, applied - valued * applied);
-        all.reaction.add(at.weight, valued * (state.F * at.normal));
-        if (given.exchange)
-            all.parts += at.weight * given.exchange(at.x) *
-                         (std::abs(given.surroundings(at.x)) + state.u.stableNorm());
+        const auto [applied, valued] = acting<dim, n>(given, at, state.u);
+        const Values<n> own = state.F * at.normal, gap = own - applied;
+        sums.missed += at.weight * (gap - valued * gap).squaredNorm();
+        sums.sizes += at.weight * state.F.squaredNorm();
+        sums.area += at.weight;
+        if (given == nullptr) continue;
+        Forces<n>& here = sums.on[static_cast<std::size_t>(given - problem.given.data())];
+        here.area += at.weight;
+        here.load.add(at.weight, applied - valued * applied);
+        here.reaction.add(at.weight, valued * own);
+        if (given->exchange)
+            here.parts += at.weight * given->exchange(at.x) *
+                          (std::abs(given->surroundings(at.x)) + state.u.stableNorm());
     }
-    return all;
 }
 
 template <int dim, int n>
@@ -137,21 +122,36 @@ struct Sizes {
     }
 };
 
-}  // namespace
+/// Adds what the particles have.
+template <int dim, int n>
+void add_particles(Sums<n>& sums, const Solution<dim, n>& solution, const std::vector<int>& own) {
+    const Approximation<dim>& approximation = solution.approximation;
+    const auto N = static_cast<Index>(own.size());
+    Column<double> unseen(N), gradient(N);
+    base::for_each_index(N, [&](Index k) {
+        const Index I = own[static_cast<std::size_t>(k)];
+        const Weights<dim> at = approximation.at_particle(I, Derivatives::first);
+        const Values<n> u_I = solution.u.template segment<n>(n * I);
+        unseen[k] = (u_I - combined<n>(at.particle, at.value, solution.u)).norm() / approximation.h()[I];
+        gradient[k] = combined<n>(at.particle, at.first, solution.u).norm();
+    });
+    if (N == 0) return;
+    sums.unseen = unseen.maxCoeff();
+    sums.gradients = gradient.square().sum();
+    sums.largest_u = solution.u.cwiseAbs().maxCoeff();
+}
 
 template <int dim, int n>
-Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution) {
-    const bool of_hats = solution.approximation.how().method == Method::hats;
-    std::vector<Values<n>> consistent;
-    if (of_hats) consistent = consistent_reactions(problem, body, solution);
+Balance<n> balance(const Problem<dim, n>& problem, const Sums<n>& sums, const Extent<dim>& extent,
+                   const std::vector<Values<n>>& reactions) {
     Balance<n> all;
     Sizes sizes;
-    const double terms = size_of_terms(problem, body, solution);
+    const double terms = size_of_terms(sums, extent);
     Values<n> sum = Values<n>::Zero();
     for (std::size_t k = 0; k < problem.given.size(); ++k) {
         const Given<dim, n>& given = problem.given[k];
-        const auto [load, integral, parts, area] = forces_on(given, problem, body, solution);
-        const Values<n> reaction = of_hats ? consistent[k] : integral.vector;
+        const auto& [load, integral, parts, area] = sums.on[k];
+        const Values<n>& reaction = reactions[k];
         if (!given.loads.empty() || given.exchange) all.loads.emplace_back(given.side, load.vector);
         if (reaction.stableNorm() > 0) all.reactions.emplace_back(given.side, reaction);
         sum += load.vector + reaction;
@@ -161,7 +161,7 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
         sizes.parts += parts;
         sizes.terms += terms * area;
     }
-    const auto [volume, none, parts, area] = forces_in(body, problem, solution);
+    const auto& [volume, none, parts, area] = sums.in;
     all.volume = volume.vector;
     sum += volume.vector;
     sizes.loads += volume.size;
@@ -172,43 +172,77 @@ Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const 
 }
 
 template <int dim, int n>
-double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution) {
-    double missed = 0, sizes = 0, length = 0;
-    for (const Side<dim>& side : body.sides)
-        for (const auto& at : rule_on(side, solution.approximation.cloud().spacing())) {
-            const State<dim, n> state = state_at(problem, solution, at.x);
-            const auto [applied, valued] = acting<dim, n>(problem.given_on(side), at, state.u);
-            const Values<n> gap = state.F * at.normal - applied;
-            missed += at.weight * (gap - valued * gap).squaredNorm();
-            sizes += at.weight * state.F.squaredNorm();
-            length += at.weight;
-        }
-    return std::sqrt(sizes / length) > negligible * size_of_terms(problem, body, solution)
-               ? std::sqrt(missed / sizes)
+double missed_loads(const Sums<n>& sums, const Extent<dim>& extent) {
+    return std::sqrt(sums.sizes / sums.area) > negligible * size_of_terms(sums, extent)
+               ? std::sqrt(sums.missed / sums.sizes)
                : 0;
 }
 
 template <int dim, int n>
-double noise(const Solution<dim, n>& solution) {
-    const Approximation<dim>& approximation = solution.approximation;
-    const Index N = approximation.cloud().size();
-    Column<double> unseen(N), gradient(N);
-    base::for_each_index(N, [&](Index I) {
-        const Weights<dim> at = approximation.at_particle(I, Derivatives::first);
-        const Values<n> u_I = solution.u.template segment<n>(n * I);
-        unseen[I] = (u_I - combined<n>(at.particle, at.value, solution.u)).norm() / approximation.h()[I];
-        gradient[I] = combined<n>(at.particle, at.first, solution.u).norm();
-    });
+double noise(const Sums<n>& sums, const Extent<dim>& extent) {
     constexpr double round_off = 1e-9;  // a solution that hardly varies over the body has no noise
-    const auto& x = approximation.cloud().x();
-    const Point<dim> extent = x.rowwise().maxCoeff() - x.rowwise().minCoeff();
-    const double size = std::max(std::sqrt(gradient.square().mean()),
-                                 round_off * solution.u.cwiseAbs().maxCoeff() / extent.maxCoeff());
-    return size > 0 ? unseen.maxCoeff() / size : 0;
+    const double size = std::max(std::sqrt(sums.gradients / static_cast<double>(extent.particles)),
+                                 round_off * sums.largest_u / (extent.high - extent.low).maxCoeff());
+    return size > 0 ? sums.unseen / size : 0;
 }
 
 template <int dim, int n>
-std::vector<Index> across_gaps(const Body<dim>& body, const Solution<dim, n>& solution) {
+Judgement<n> judgement(const Problem<dim, n>& problem, const Sums<n>& sums, const Extent<dim>& extent,
+                       const std::vector<Values<n>>& reactions) {
+    return {noise(sums, extent), missed_loads(sums, extent), balance(problem, sums, extent, reactions)};
+}
+
+/// The reactions as integrals.
+template <int n>
+std::vector<Values<n>> integrals(const Sums<n>& sums) {
+    std::vector<Values<n>> all;
+    for (const Forces<n>& here : sums.on) all.push_back(here.reaction.vector);
+    return all;
+}
+
+}  // namespace
+
+template <int dim>
+double Extent<dim>::spacing() const {
+    return particles::spacing_of_grid<dim>(high - low, particles);
+}
+
+template <int dim>
+Extent<dim> extent_of(const Body<dim>& body) {
+    return {body.x.rowwise().minCoeff(), body.x.rowwise().maxCoeff(), body.x.cols()};
+}
+
+template <int dim, int n>
+Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution,
+             double spacing, const std::vector<int>& own) {
+    Sums<n> all{std::vector<Forces<n>>(problem.given.size())};
+    for (const Side<dim>& side : body.sides) add_side(all, side, problem, solution, spacing);
+    all.in = forces_in(body, problem, solution);
+    add_particles(all, solution, own);
+    if (body.x.cols() > 0) all.coefficient = problem.equation.A(body.x.col(0)).norm();
+    return all;
+}
+
+template <int dim, int n>
+Judgement<n> judgement(const Problem<dim, n>& problem, const Sums<n>& sums, const Extent<dim>& extent) {
+    return judgement(problem, sums, extent, integrals(sums));
+}
+
+template <int dim, int n>
+Judgement<n> judgement(const Problem<dim, n>& problem, const Body<dim>& body,
+                       const Solution<dim, n>& solution) {
+    const Extent<dim> extent = extent_of(body);
+    std::vector<int> all(static_cast<std::size_t>(body.x.cols()));
+    std::iota(all.begin(), all.end(), 0);
+    const Sums<n> of_body = sums(problem, body, solution, extent.spacing(), all);
+    return judgement(problem, of_body, extent,
+                     solution.approximation.how().method == Method::hats
+                         ? consistent_reactions(problem, body, solution)
+                         : integrals(of_body));
+}
+
+template <int dim>
+std::vector<Index> across_gaps(const Body<dim>& body, const Approximation<dim>& approximation) {
     if (body.cells.empty()) return {};
     const auto N = static_cast<std::size_t>(body.x.cols());
     std::vector<std::vector<int>> joined(N);
@@ -218,7 +252,7 @@ std::vector<Index> across_gaps(const Body<dim>& body, const Solution<dim, n>& so
                 if (a != b) joined[static_cast<std::size_t>(a)].push_back(b);
     std::vector<char> across(N, 0);
     base::for_each_index(body.x.cols(), [&](Index I) {
-        const std::vector<int> near = solution.approximation.neighbours(I);
+        const std::vector<int> near = approximation.neighbours(I);
         std::vector<char> reached(near.size(), 0);
         std::vector<int> next{static_cast<int>(I)};
         std::size_t count = 0;
@@ -243,24 +277,31 @@ std::vector<Index> across_gaps(const Body<dim>& body, const Solution<dim, n>& so
     return all;
 }
 
-template Balance<1> balance(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
-template double missed_loads(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
-template double noise(const Solution<2, 1>&);
-template std::vector<Index> across_gaps(const Body<2>&, const Solution<2, 1>&);
+template struct Extent<2>;
+template struct Extent<3>;
+template Extent<2> extent_of(const Body<2>&);
+template Extent<3> extent_of(const Body<3>&);
+template std::vector<Index> across_gaps(const Body<2>&, const Approximation<2>&);
+template std::vector<Index> across_gaps(const Body<3>&, const Approximation<3>&);
 
-template Balance<1> balance(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
-template double missed_loads(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
-template double noise(const Solution<3, 1>&);
-template std::vector<Index> across_gaps(const Body<3>&, const Solution<3, 1>&);
+template Sums<1> sums(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&, double,
+                      const std::vector<int>&);
+template Judgement<1> judgement(const Problem<2, 1>&, const Sums<1>&, const Extent<2>&);
+template Judgement<1> judgement(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
 
-template Balance<2> balance(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
-template double missed_loads(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
-template double noise(const Solution<2, 2>&);
-template std::vector<Index> across_gaps(const Body<2>&, const Solution<2, 2>&);
+template Sums<1> sums(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&, double,
+                      const std::vector<int>&);
+template Judgement<1> judgement(const Problem<3, 1>&, const Sums<1>&, const Extent<3>&);
+template Judgement<1> judgement(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
 
-template Balance<3> balance(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
-template double missed_loads(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
-template double noise(const Solution<3, 3>&);
-template std::vector<Index> across_gaps(const Body<3>&, const Solution<3, 3>&);
+template Sums<2> sums(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&, double,
+                      const std::vector<int>&);
+template Judgement<2> judgement(const Problem<2, 2>&, const Sums<2>&, const Extent<2>&);
+template Judgement<2> judgement(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
+
+template Sums<3> sums(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&, double,
+                      const std::vector<int>&);
+template Judgement<3> judgement(const Problem<3, 3>&, const Sums<3>&, const Extent<3>&);
+template Judgement<3> judgement(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
 
 }  // namespace bodies

@@ -22,26 +22,103 @@ struct Balance {
     double defect = 0;
 };
 
-/// The loads and the reactions. Those of `hats` are what the equations of the particles leave, in equilibrium
-/// with the loads to the last bit; those of the other methods are integrals of the solution's own load
-/// \f$F n\f$ over the sides with given values, and their defect tells whether the stresses can be trusted.
-template <int dim, int n>
-Balance<n> balance(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
+/// What a solution says of itself.
+template <int n>
+struct Judgement {
+    /// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
+    double noise;
+    /// How far the solution's own load \f$F n\f$ is from the given one, zero on free sides: root mean
+    /// squares over the boundary, relative to that of F. It shows stresses that are wrong where displacements
+    /// are right, as in a material that is nearly incompressible.
+    double missed_loads;
+    /// The reactions of `hats` are what the equations of the particles leave, in equilibrium with the loads
+    /// to the last bit; those of the other methods are integrals of the solution's own load over the sides
+    /// with given values, and their defect tells whether the stresses can be trusted.
+    Balance<n> balance;
+};
 
-/// How far the solution's own load \f$F n\f$ is from the given one, zero on free sides: root mean squares
-/// over the boundary, relative to that of F. It shows stresses that are wrong where displacements are right,
-/// as in a material that is nearly incompressible.
 template <int dim, int n>
-double missed_loads(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution);
+Judgement<n> judgement(const Problem<dim, n>& problem, const Body<dim>& body,
+                       const Solution<dim, n>& solution);
+
+/// The integral of a vector, and that of its size.
+template <int n>
+struct Integral {
+    Values<n> vector = Values<n>::Zero();
+    double size = 0;
+
+    void add(double weight, const Values<n>& value) {
+        vector += weight * value;
+        size += weight * value.stableNorm();
+    }
+};
+
+/// What acts on a side or in the volume.
+template <int n>
+struct Forces {
+    Integral<n> load;      ///< that is given
+    Integral<n> reaction;  ///< the solution's own load where a value is given
+    double parts = 0;  ///< the sizes of what is subtracted in a load, such as a u0 and a u, as an integral
+    double area = 0;   ///< of the side
+};
+
+/// The numbers that a judgement is made of, except for `hats`. Those of the parts of a body give those of the
+/// whole: combine() says how.
+template <int n>
+struct Sums {
+    std::vector<Forces<n>> on{};  ///< each side of Problem::given
+    Forces<n> in{};
+    double missed = 0, sizes = 0, area = 0;  ///< of loads and of F, squared, over the boundary
+    double gradients = 0;                    ///< squared, over the particles
+    double unseen = 0;  ///< largest part of the unknowns that the function misses, over h
+    double largest_u = 0, coefficient = 0;
+};
+
+/// Calls `add` for each number that is a sum over the parts of a body, and `most` for each that is the largest
+/// of those of the parts.
+template <int n, class Add, class Most>
+void combine(Sums<n>& sums, const Add& add, const Most& most) {
+    const auto forces = [&](Forces<n>& of) {
+        for (Integral<n>* integral : {&of.load, &of.reaction}) {
+            for (double& number : integral->vector) add(number);
+            add(integral->size);
+        }
+        add(of.parts);
+        add(of.area);
+    };
+    for (Forces<n>& of : sums.on) forces(of);
+    forces(sums.in);
+    for (double* number : {&sums.missed, &sums.sizes, &sums.area, &sums.gradients}) add(*number);
+    for (double* number : {&sums.unseen, &sums.largest_u, &sums.coefficient}) most(*number);
+}
+
+/// \param body or a part of it, with the pieces and the cells over which this part integrates
+/// \param spacing mean distance of the body's particles \param own particles over which this part sums
+template <int dim, int n>
+Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution,
+             double spacing, const std::vector<int>& own);
+
+/// Where the particles of a body lie, and how many they are.
+template <int dim>
+struct Extent {
+    Point<dim> low, high;
+    Index particles;
+
+    /// Mean distance of the particles, Cloud::spacing(). [length]
+    [[nodiscard]] double spacing() const;
+};
+
+template <int dim>
+Extent<dim> extent_of(const Body<dim>& body);
+
+/// The judgement from the numbers of all parts.
+template <int dim, int n>
+Judgement<n> judgement(const Problem<dim, n>& problem, const Sums<n>& sums, const Extent<dim>& extent);
 
 /// The particles that see others across a gap: no edges of cells lead from the one to the other among its
 /// neighbours, as where a slot is narrower than the kernel's support. Their equations do not know of the gap.
 /// None of a body without cells.
-template <int dim, int n>
-std::vector<Index> across_gaps(const Body<dim>& body, const Solution<dim, n>& solution);
-
-/// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
-template <int dim, int n>
-double noise(const Solution<dim, n>& solution);
+template <int dim>
+std::vector<Index> across_gaps(const Body<dim>& body, const Approximation<dim>& approximation);
 
 }  // namespace bodies

@@ -20,7 +20,7 @@ struct Row {
     double given = 0;
 };
 
-/// A linear system with n equations for each particle.
+/// A linear system with n equations for each of some particles, or for all.
 struct System {
     solvers::SparseRows A;
     Eigen::VectorXd b;
@@ -34,11 +34,12 @@ struct System {
 enum class Wanted { solution, eigenvalues };
 
 /// A system of zeros. \param near the particles in the equations of each particle, in increasing order
+/// \param particles number of those that have unknowns
 template <int n>
-System empty_system(const std::vector<std::vector<int>>& near, Wanted wanted) {
-    System system{solvers::rows_in_blocks(near, n),
+System empty_system(const std::vector<std::vector<int>>& near, Wanted wanted, Index particles) {
+    System system{solvers::rows_in_blocks(near, n, particles),
                   Eigen::VectorXd::Zero(n * static_cast<Index>(near.size()))};
-    if (wanted == Wanted::eigenvalues) system.M = solvers::rows_in_blocks(near, n);
+    if (wanted == Wanted::eigenvalues) system.M = solvers::rows_in_blocks(near, n, particles);
     return system;
 }
 

@@ -4,143 +4,19 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "base/errors.hpp"
-#include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "batra2008/basis_at.hpp"
 #include "bodies/collocation.hpp"
 #include "bodies/discs.hpp"
 #include "bodies/hats.hpp"
-#include "fpm_in_space/section_1_second_order_fpm.hpp"
-#include "particles/multi_index.hpp"
-#include "particles/quality.hpp"
-#include "particles/requirement.hpp"
+#include "bodies/quality.hpp"
 #include "solvers/sparse_spectrum.hpp"
 
 namespace bodies {
 
 namespace {
-
-namespace ssph_basis = batra2008::ssph_basis;
-namespace second_order_fpm = fpm_in_space::second_order_fpm;
-
-/// The order of the highest derivative in the equations of each particle.
-template <int dim, int n>
-std::vector<int> highest_derivatives(const Conditions<dim, n>& conditions, Method method) {
-    std::vector<int> order;
-    for (const auto& here : conditions)
-        order.push_back(here.empty() && (method == Method::strong || method == Method::fpm) ? 2 : 1);
-    return order;
-}
-
-constexpr int exact_of_fpm = 3;  // degree of the polynomials whose second derivatives are exact
-
-/// The largest R of the derivatives of order k. \param w weights and \param r offsets, in units of h
-template <int dim>
-double largest_quality(const particles::Derivatives<double, dim>& w, const Offsets<double, dim>& r, int k,
-                       int exact) {
-    double largest = 0;
-    if (k == 1)
-        for (int axis = 0; axis < dim; ++axis)
-            largest = std::max(largest, particles::quality<double, dim>(w.first.col(axis), r, exact));
-    else
-        for (int pair = 0; pair < second_derivatives<dim>; ++pair)
-            largest = std::max(largest, particles::quality<double, dim>(w.second.col(pair), r, exact));
-    return largest;
-}
-
-/// R of the derivatives of order k at a particle, in units of h.
-template <int dim>
-double quality_of_row(const Approximation<dim>& approximation, Index I, int k) {
-    const int exact = approximation.how().method == Method::fpm ? exact_of_fpm : approximation.how().degree;
-    const Weights<dim> at = approximation.at_particle(I);
-    const double h = approximation.h()[I];
-    Offsets<double, dim> r(static_cast<Index>(at.particle.size()), dim);
-    for (std::size_t j = 0; j < at.particle.size(); ++j)
-        r.row(static_cast<Index>(j)) =
-            (approximation.cloud().x().col(at.particle[j]) - approximation.cloud().x().col(I)).transpose() /
-            h;
-    return largest_quality<dim>({h * at.first, h * h * at.second}, r, k, exact);
-}
-
-/// R of each particle.
-template <int dim>
-Column<double> qualities(const Approximation<dim>& approximation, const std::vector<int>& order) {
-    Column<double> R(approximation.cloud().size());
-    base::for_each_index(R.size(), [&](Index I) {
-        R[I] = quality_of_row(approximation, I, order[static_cast<std::size_t>(I)]);
-    });
-    return R;
-}
-
-/// R of each particle, and the worst row.
-struct Quality {
-    Column<double> R;
-    particles::WorstRow worst;
-};
-
-/// ", or the method hats" where that is another method, which works on the body.
-template <int dim>
-std::string or_hats(const Body<dim>& body, Method method) {
-    return body.cells.empty() || method == Method::hats ? "" : ", or the method hats";
-}
-
-/// Whether the derivatives of particle I by FPM can be trusted with other smoothing lengths.
-template <int dim>
-bool serves(const Cloud<dim>& cloud, const particles::Smoothing<double, dim>& tried, Index I, int k) {
-    const auto near = particles::neighbourhood(cloud, tried, I, particles::within_reach(cloud, tried, I));
-    const auto weights = second_order_fpm::derivatives<double, dim>(near);
-    return largest_quality<dim>(weights, near.r, k, exact_of_fpm) <= ssph_basis::most;
-}
-
-/// What helps where the derivatives of a particle by FPM cannot be trusted: the end of a sentence.
-template <int dim>
-std::string another_smoothing(const Approximation<dim>& approximation, const std::vector<int>& order,
-                              Index worst) {
-    const Cloud<dim>& cloud = approximation.cloud();
-    const auto serves_at = [&](const particles::Smoothing<double, dim>& tried, Index I) {
-        return serves<dim>(cloud, tried, I, order[static_cast<std::size_t>(I)]);
-    };
-    const auto serves_all = [&](const particles::Smoothing<double, dim>& tried) {
-        try {
-            Index I = serves_at(tried, worst) ? 0 : cloud.size() + 1;
-            while (I < cloud.size() && serves_at(tried, I)) ++I;
-            return I == cloud.size();
-        } catch (const base::FailedComputation&) {
-            return false;
-        }
-    };
-    return particles::another_smoothing(cloud, approximation.smoothing(),
-                                        second_order_fpm::required<dim>.particles, serves_all);
-}
-
-/// \throws base::FailedComputation where the worst row is too bad for a solution
-template <int dim>
-Quality checked_quality(const Body<dim>& body, const Approximation<dim>& approximation,
-                        const std::vector<int>& order) {
-    const Discretisation& how = approximation.how();
-    const Cloud<dim>& cloud = approximation.cloud();
-    if (how.method != Method::fpm) {
-        const particles::TruncatedGaussian<dim> kernel(how.scaling);
-        const particles::WorstRow worst =
-            how.degree == 2 ? ssph_basis::require_quality<2, dim>(cloud, kernel, approximation.h(), order)
-                            : ssph_basis::require_quality<3, dim>(cloud, kernel, approximation.h(), order);
-        return {qualities(approximation, order), worst};
-    }
-    Quality found{qualities(approximation, order), {}};
-    auto& [R, worst] = found;
-    worst.R = R.maxCoeff(&worst.particle);
-    worst.derivative = order[static_cast<std::size_t>(worst.particle)];
-    if (worst.R > ssph_basis::most)
-        throw base::FailedComputation(
-            "fpm: particle " + std::to_string(worst.particle) + " at " +
-            particles::shown_point(cloud.x().col(worst.particle)) + " has the quality number " +
-            base::shown(worst.R, 3) + ", more than " + base::shown(ssph_basis::most, 3) +
-            ": its derivatives cannot be trusted; " +
-            another_smoothing(approximation, order, worst.particle) + or_hats(body, how.method));
-    return found;
-}
 
 template <int dim, int n>
 System system_of(const Problem<dim, n>& problem, const Body<dim>& body,
@@ -238,23 +114,34 @@ std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>&
                                 const Discretisation& how, Index count) {
     const auto all = conditions(problem, body);
     require_held(problem, body, all);
-    if (count < 1 || count > body.x.cols() / 2)
-        throw base::InvalidInput("a body of " + std::to_string(body.x.cols()) + " particles has from 1 to " +
-                                 std::to_string(body.x.cols() / 2) + " modes worth computing, not " +
-                                 std::to_string(count));
+    require_modes(body.x.cols(), count);
     const System system = equations(problem, body, all, how, Wanted::eigenvalues).system;
-    std::vector<double> lowest;
-    for (const std::complex<double>& mu : solvers::largest_of_inverse(system.A, system.M, count)) {
-        const std::complex<double> lambda = 1.0 / mu;
+    std::vector<std::complex<double>> lambda;
+    for (const std::complex<double>& mu : solvers::largest_of_inverse(system.A, system.M, count))
+        lambda.push_back(1.0 / mu);
+    return vibrations(lambda, how.method, or_hats(body, how.method));
+}
+
+void require_modes(Index particles, Index count) {
+    if (count < 1 || count > particles / 2)
+        throw base::InvalidInput("a body of " + std::to_string(particles) + " particles has from 1 to " +
+                                 std::to_string(particles / 2) + " modes worth computing, not " +
+                                 std::to_string(count));
+}
+
+std::vector<double> vibrations(const std::vector<std::complex<double>>& eigenvalues, Method method,
+                               const std::string& or_else) {
+    std::vector<double> all;
+    for (const std::complex<double>& lambda : eigenvalues) {
         if (std::abs(lambda.imag()) > 1e-2 * std::abs(lambda) || lambda.real() < 0)
             throw base::FailedComputation(
-                name(how.method) + ": the eigenvalue " + base::shown(lambda.real(), 4) +
+                name(method) + ": the eigenvalue " + base::shown(lambda.real(), 4) +
                 (lambda.imag() == 0 ? "" : " with an imaginary part of " + base::shown(lambda.imag(), 2)) +
-                " is that of no vibration; take more particles" + or_hats(body, how.method));
-        lowest.push_back(lambda.real());
+                " is that of no vibration; take more particles" + or_else);
+        all.push_back(lambda.real());
     }
-    std::sort(lowest.begin(), lowest.end());
-    return lowest;
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 Extrapolated extrapolated(double f1, double f2, double f3, double ratio, double formal) {

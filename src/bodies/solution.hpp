@@ -1,5 +1,7 @@
 #pragma once
 
+#include <complex>
+#include <string>
 #include <vector>
 
 #include "bodies/approximation.hpp"
@@ -48,6 +50,14 @@ double von_mises(const Eigen::Matrix<double, dim, dim>& stress,
 template <int dim, int n>
 std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>& body,
                                 const Discretisation& how, Index count);
+
+/// \throws base::InvalidInput unless a body of so many particles has so many modes worth computing
+void require_modes(Index particles, Index count);
+
+/// The eigenvalues as real numbers, in increasing order. \param or_else another remedy, the end of a message
+/// \throws base::FailedComputation for one that is not real and positive
+std::vector<double> vibrations(const std::vector<std::complex<double>>& eigenvalues, Method method,
+                               const std::string& or_else = "");
 
 /// A quantity on three clouds, each finer than the one before by the same ratio.
 struct Extrapolated {

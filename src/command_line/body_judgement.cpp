@@ -54,14 +54,7 @@ std::optional<std::string> remark(const std::string& method, const bodies::Balan
 }  // namespace
 
 template <int dim, int n>
-Judgement<n> judgement(const SolvedBody<dim, n>& solved) {
-    const auto& [problem, body, solution, material, at_particles] = solved;
-    return {bodies::noise(solution), bodies::missed_loads(problem, body, solution),
-            bodies::balance(problem, body, solution)};
-}
-
-template <int dim, int n>
-std::vector<Quantity<dim>> quantities(const Judgement<n>& judged) {
+std::vector<Quantity<dim>> quantities(const bodies::Judgement<n>& judged) {
     const auto& [noise, missed, balance] = judged;
     std::vector<Quantity<dim>> all;
     const auto add = [&](const std::string& name, double value, bool has_limit = false) {
@@ -79,10 +72,19 @@ std::vector<Quantity<dim>> quantities(const Judgement<n>& judged) {
 }
 
 template <int dim, int n>
-std::vector<std::string> remarks(const SolvedBody<dim, n>& solved, const Judgement<n>& judged, int degree,
-                                 const std::string& remedy) {
+Particles<dim> particles_of(const SolvedBody<dim, n>& solved) {
     const auto& [problem, body, solution, material, at_particles] = solved;
-    const bodies::Discretisation& how = solution.approximation.how();
+    Particles<dim> found{solution.quality, body.x.col(solution.worst)};
+    const std::vector<Index> across = bodies::across_gaps(body, solution.approximation);
+    found.across = static_cast<Index>(across.size());
+    if (!across.empty()) found.one = body.x.col(across.front());
+    return found;
+}
+
+template <int dim, int n>
+std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies::Judgement<n>& judged,
+                                 const Particles<dim>& particles, int degree, const std::string& remedy) {
+    const auto& [quality, worst, across, one] = particles;
     const std::string method = bodies::name(how.method) + ": ", fluxes = n == 1 ? "fluxes" : "stresses";
     std::vector<std::string> all;
     const auto add = [&](bool wrong, const std::string& text) {
@@ -92,44 +94,41 @@ std::vector<std::string> remarks(const SolvedBody<dim, n>& solved, const Judgeme
     add(how.degree != degree, "monomials of degree " + std::to_string(how.degree) +
                                   ", since the particles determine those of degree " +
                                   std::to_string(degree) + " badly somewhere");
-    add(solution.quality > most_quality, "the neighbours of the particle at " +
-                                             particles::shown_point(Point<dim>(body.x.col(solution.worst))) +
-                                             " determine its derivatives badly (quality " +
-                                             shown(solution.quality, 3) + ", where " + shown(most_quality) +
-                                             " is the most); stresses near it may be wrong");
+    add(quality > most_quality, "the neighbours of the particle at " + particles::shown_point(worst) +
+                                    " determine its derivatives badly (quality " + shown(quality, 3) +
+                                    ", where " + shown(most_quality) +
+                                    " is the most); stresses near it may be wrong");
     add(judged.missed_loads > most_missed, "the " + fluxes + " at the boundary miss the given loads by " +
                                                shown(100 * judged.missed_loads, 3) +
                                                " % of their size, where " + shown(100 * most_missed) +
                                                " is the most; do not trust those near it");
-    if (const std::vector<Index> across = bodies::across_gaps(body, solution); !across.empty())
-        add(true,
-            std::to_string(across.size()) + " particles, such as that at " +
-                particles::shown_point(Point<dim>(body.x.col(across.front()))) +
-                ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");
+    add(across > 0,
+        std::to_string(across) + " particles, such as that at " + particles::shown_point(one) +
+            ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");
     add(judged.noise > most_noise, "the unknowns alternate between neighbours, and " + fluxes +
                                        " may be wrong (noise " + shown(judged.noise, 3) + ", where " +
                                        shown(most_noise) + " is the most)");
     return all;
 }
 
-template Judgement<1> judgement(const SolvedBody<2, 1>&);
-template std::vector<Quantity<2>> quantities(const Judgement<1>&);
-template std::vector<std::string> remarks(const SolvedBody<2, 1>&, const Judgement<1>&, int,
-                                          const std::string&);
+template std::vector<Quantity<2>> quantities(const bodies::Judgement<1>&);
+template Particles<2> particles_of(const SolvedBody<2, 1>&);
+template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<1>&,
+                                          const Particles<2>&, int, const std::string&);
 
-template Judgement<1> judgement(const SolvedBody<3, 1>&);
-template std::vector<Quantity<3>> quantities(const Judgement<1>&);
-template std::vector<std::string> remarks(const SolvedBody<3, 1>&, const Judgement<1>&, int,
-                                          const std::string&);
+template std::vector<Quantity<3>> quantities(const bodies::Judgement<1>&);
+template Particles<3> particles_of(const SolvedBody<3, 1>&);
+template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<1>&,
+                                          const Particles<3>&, int, const std::string&);
 
-template Judgement<2> judgement(const SolvedBody<2, 2>&);
-template std::vector<Quantity<2>> quantities(const Judgement<2>&);
-template std::vector<std::string> remarks(const SolvedBody<2, 2>&, const Judgement<2>&, int,
-                                          const std::string&);
+template std::vector<Quantity<2>> quantities(const bodies::Judgement<2>&);
+template Particles<2> particles_of(const SolvedBody<2, 2>&);
+template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<2>&,
+                                          const Particles<2>&, int, const std::string&);
 
-template Judgement<3> judgement(const SolvedBody<3, 3>&);
-template std::vector<Quantity<3>> quantities(const Judgement<3>&);
-template std::vector<std::string> remarks(const SolvedBody<3, 3>&, const Judgement<3>&, int,
-                                          const std::string&);
+template std::vector<Quantity<3>> quantities(const bodies::Judgement<3>&);
+template Particles<3> particles_of(const SolvedBody<3, 3>&);
+template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<3>&,
+                                          const Particles<3>&, int, const std::string&);
 
 }  // namespace command_line

@@ -25,12 +25,11 @@ using bodies::Discretisation;
 using bodies::Index;
 using bodies::Point;
 
-void add_method_options(CommandLine& app, BodyOptions& options) {
-    app.add_list(
-        "--method", options.methods,
-        "methods: all that apply, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
-    app.add_option("--degree", options.degree,
-                   "degree m of the monomials of SSPH (default 2; of hats in the plane 3)")
+namespace {
+
+/// The parameters of the methods that collocate. \param degree what is said of the default of --degree
+void add_parameters(CommandLine& app, BodyOptions& options, const std::string& degree) {
+    app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2" + degree + ")")
         .type_name("2|3")
         .within(2, 3);
     app.add_option("--scaling", options.scaling, "scaling factor rho of the kernel of SSPH (default 3)")
@@ -42,6 +41,20 @@ void add_method_options(CommandLine& app, BodyOptions& options) {
            "--smoothing-from", options.smoothing_from,
            "the spacing delta, the unit of smoothing lengths: local (default), mean, largest, nearest, K-nearest (such as 8-nearest); a length; or a file with a number for each particle, FILE or FILE:COLUMN")
         .type_name("NAME");
+}
+
+}  // namespace
+
+void add_collocation_options(CommandLine& app, BodyOptions& options) {
+    app.add_list("--method", options.methods, "methods: fpm, strong, or both (default fpm)");
+    add_parameters(app, options, "");
+}
+
+void add_method_options(CommandLine& app, BodyOptions& options) {
+    app.add_list(
+        "--method", options.methods,
+        "methods: all that apply, or some of fpm, strong, weak1, weak2, hats (default hats, without cells weak1)");
+    add_parameters(app, options, "; of hats in the plane 3");
     app.add_option("--gauss", options.gauss, "Gauss points n_G of the weak forms (default 10)")
         .type_name("N")
         .within(1, 1000);
@@ -140,15 +153,19 @@ std::vector<std::string> names_of_methods(const Holds& holds) {
 /// The methods by their names; none where the body decides.
 std::vector<std::string> method_names(const BodyOptions& options) {
     if (options.methods.empty()) return {};
-    return chosen("method", options.methods, names_of_methods([](bodies::Method) { return true; }));
+    return chosen("method", options.methods, names_of_all_methods());
 }
 
+/// \param known the methods of the program
 /// \throws InvalidInput for an option that belongs to none of the methods
-void check_effect(const BodyOptions& options) {
+void check_effect(const BodyOptions& options, const std::vector<std::string>& known) {
     const std::vector<std::string> methods = method_names(options);
     const BodyOptions untouched;
     const auto refuse_without = [&](const std::string& option, bool changed, const std::string& whose,
-                                    const std::vector<std::string>& those) {
+                                    std::vector<std::string> those) {
+        std::erase_if(those, [&](const std::string& method) {
+            return std::find(known.begin(), known.end(), method) == known.end();
+        });
         const bool asked = std::any_of(methods.begin(), methods.end(), [&](const std::string& method) {
             return std::find(those.begin(), those.end(), method) != those.end();
         });
@@ -168,8 +185,12 @@ void check_effect(const BodyOptions& options) {
 
 }  // namespace
 
-void check_methods(const BodyOptions& options) {
-    check_effect(options);
+std::vector<std::string> names_of_all_methods() {
+    return names_of_methods([](bodies::Method) { return true; });
+}
+
+void check_methods(const BodyOptions& options, const std::vector<std::string>& known) {
+    check_effect(options, known);
     require_positive("--scaling", options.scaling);
     require_positive("--smoothing", options.smoothing);
     require_positive("--penalty", options.penalty);
@@ -178,7 +199,7 @@ void check_methods(const BodyOptions& options) {
 void check(const BodyOptions& options) {
     check_body(options);
     check_modes(options);
-    check_methods(options);
+    check_methods(options, names_of_all_methods());
     if (!options.field.empty()) bodies::check_field_path(options.field);
     if (!options.figure.path.empty() && method_names(options).size() > 1)
         throw InvalidInput("--plot draws one method; name one by --method");
@@ -201,25 +222,27 @@ std::vector<std::string> method_names(const BodyOptions& options, int dim, bool 
 
 }  // namespace
 
+Discretisation discretisation(const BodyOptions& options, const std::string& method, int dim) {
+    Discretisation how;
+    how.method = bodies::method_named(method);
+    how.degree =
+        static_cast<int>(options.degree.value_or(how.method == bodies::Method::hats && dim == 2 ? 3 : 2));
+    how.scaling = options.scaling;
+    how.smoothing = options.smoothing;
+    return how;
+}
+
 template <int dim>
 std::vector<Discretisation> discretisations(const BodyOptions& options, const Body<dim>& body) {
     const std::vector<std::string> methods = method_names(options, dim, !body.cells.empty());
     const particles::Spacing spacing = spacing_from(options.smoothing_from);
     check_lengths(spacing, options.smoothing_from, body.x.cols());
-    const double penalty =
-        options.penalty * 1e5 * largest_coefficient<dim>(options.problem, body) / size_of(body);
     std::vector<Discretisation> all;
     for (const std::string& method : methods) {
-        Discretisation how;
-        how.method = bodies::method_named(method);
-        how.degree =
-            static_cast<int>(options.degree.value_or(how.method == bodies::Method::hats && dim == 2 ? 3 : 2));
-        how.scaling = options.scaling;
-        how.smoothing = options.smoothing;
+        Discretisation& how = all.emplace_back(discretisation(options, method, dim));
         how.spacing = spacing;
-        how.penalty = penalty;
+        how.penalty = options.penalty * 1e5 * largest_coefficient<dim>(options.problem, body) / size_of(body);
         how.gauss = options.gauss;
-        all.push_back(how);
     }
     return all;
 }
@@ -281,10 +304,7 @@ std::vector<Point<dim>> places(const BodyOptions& options) {
 template std::vector<Point<2>> places(const BodyOptions&);
 template std::vector<Point<3>> places(const BodyOptions&);
 
-std::vector<std::string> comments(const BodyOptions& options, int dim) {
-    const TypedProblem& problem = options.problem;
-    std::string body = options.mesh.empty() ? options.points + " within " + options.boundary : options.mesh;
-    if (options.size) body += ", --size " + shown(*options.size);
+std::vector<std::string> comments(const TypedProblem& problem, int dim) {
     std::string equation;
     if (is_scalar(problem)) {
         equation = "-div(k grad u) + c u = f with k = " + problem.conductivity.value_or("1") +
@@ -301,8 +321,13 @@ std::vector<std::string> comments(const BodyOptions& options, int dim) {
             conditions += (conditions.empty() ? "" : "; ") + option + " " + text;
     for (char& letter : conditions)
         if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
-    return {body + "; lengths, forces and stresses in the user's units", equation,
-            "conditions: " + (conditions.empty() ? "none" : conditions)};
+    return {equation, "conditions: " + (conditions.empty() ? "none" : conditions)};
+}
+
+std::string comment_on_body(const BodyOptions& options) {
+    return (options.mesh.empty() ? options.points + " within " + options.boundary : options.mesh) +
+           (options.size ? ", --size " + shown(*options.size) : "") +
+           "; lengths, forces and stresses in the user's units";
 }
 
 }  // namespace command_line

@@ -35,13 +35,22 @@ void add_options(CommandLine& app, BodyOptions& options);
 /// Some of them: those of the methods.
 void add_method_options(CommandLine& app, BodyOptions& options);
 
+/// Those of the methods that collocate, fpm and strong.
+void add_collocation_options(CommandLine& app, BodyOptions& options);
+
+std::vector<std::string> names_of_all_methods();
+
+/// \param known the methods that the program has, for a remedy
 /// \throws base::InvalidInput for numbers without meaning, and for an option that belongs to none of the
 ///         methods
-void check_methods(const BodyOptions& options);
+void check_methods(const BodyOptions& options, const std::vector<std::string>& known);
 
 /// \throws base::InvalidInput for options that need, exclude or overwrite one another, and numbers without
 ///         meaning
 void check(const BodyOptions& options);
+
+/// A method with its parameters, but for the smoothing lengths and what weak forms need.
+bodies::Discretisation discretisation(const BodyOptions& options, const std::string& method, int dim);
 
 /// The methods that are asked for, with their parameters.
 /// \throws base::InvalidInput for an option that belongs to other methods, and for smoothing lengths of
@@ -55,7 +64,10 @@ std::vector<bodies::Discretisation> discretisations(const BodyOptions& options,
 template <int dim>
 std::vector<bodies::Point<dim>> places(const BodyOptions& options);
 
-/// What the program was asked, a sentence for each line of comments.
-std::vector<std::string> comments(const BodyOptions& options, int dim);
+/// The body, a comment of the table.
+std::string comment_on_body(const BodyOptions& options);
+
+/// The equation and the conditions, two comments.
+std::vector<std::string> comments(const TypedProblem& problem, int dim);
 
 }  // namespace command_line

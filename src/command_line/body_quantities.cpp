@@ -80,10 +80,9 @@ void require_inside(const Body<dim>& body, const std::vector<Point<dim>>& places
         if (inside(x, 1e-6 * size_of(body) + body.gap)) continue;
         Index nearest = 0;
         const double distance = (body.x.colwise() - x).colwise().norm().minCoeff(&nearest);
-        throw InvalidInput("the place " + particles::shown_point(x) +
-                           " lies outside of the body; the nearest particle is " +
-                           particles::shown_point(Point<dim>(body.x.col(nearest))) + ", " + shown(distance) +
-                           " away");
+        throw InvalidInput(
+            "the place " + particles::shown_point(x) + " lies outside of the body; the nearest particle is " +
+            particles::shown_point(Point<dim>(body.x.col(nearest))) + ", " + shown(distance) + " away");
     }
 }
 
@@ -163,17 +162,7 @@ std::vector<Quantity<dim>> quantities(const SolvedBody<dim, n>& solved,
     for (std::size_t k = 0; k < places.size(); ++k)
         for (const auto& [name, value] : named(there[k], solved.material))
             all.push_back({name, places[k], value});
-    using Here = State<dim, n>;
-    if constexpr (n == 1) {
-        const auto u = [](const Here& state) { return state.u[0]; };
-        all.push_back(largest(solved, "max_u", u));
-        all.push_back(largest(solved, "min_u", u, -1));
-    } else {
-        all.push_back(largest(solved, "max_displacement", [](const Here& state) { return state.u.norm(); }));
-        all.push_back(largest(solved, "max_von_mises", [&](const Here& state) {
-            return bodies::von_mises<dim>(state.F, solved.material);
-        }));
-    }
+    for (const Quantity<dim>& most : extremes(solved)) all.push_back(most);
     const auto& [worst, quality] = std::pair(solved.solution.worst, solved.solution.quality);
     if (std::isfinite(quality))
         all.push_back({"quality", Point<dim>(solved.body.x.col(worst)), quality, false});
@@ -181,12 +170,27 @@ std::vector<Quantity<dim>> quantities(const SolvedBody<dim, n>& solved,
 }
 
 template <int dim, int n>
-std::vector<bodies::NamedField> fields(const SolvedBody<dim, n>& solved, const std::string& suffix) {
+std::vector<Quantity<dim>> extremes(const SolvedBody<dim, n>& solved) {
+    using Here = State<dim, n>;
+    if constexpr (n == 1) {
+        const auto u = [](const Here& state) { return state.u[0]; };
+        return {largest(solved, "max_u", u), largest(solved, "min_u", u, -1)};
+    } else {
+        return {largest(solved, "max_displacement", [](const Here& state) { return state.u.norm(); }),
+                largest(solved, "max_von_mises",
+                        [&](const Here& state) { return bodies::von_mises<dim>(state.F, solved.material); })};
+    }
+}
+
+template <int dim, int n>
+std::vector<bodies::NamedField> fields(const std::vector<State<dim, n>>& at_particles,
+                                       const bodies::Column<double>& R, const Material& material,
+                                       const std::string& suffix) {
     std::vector<bodies::NamedField> all;
-    const auto N = static_cast<Index>(solved.at_particles.size());
+    const auto N = static_cast<Index>(at_particles.size());
     Eigen::MatrixXd u(n, N), q(dim, N);
     for (Index I = 0; I < N; ++I) {
-        const auto& state = solved.at_particles[static_cast<std::size_t>(I)];
+        const auto& state = at_particles[static_cast<std::size_t>(I)];
         u.col(I) = state.u;
         if constexpr (n == 1) q.col(I) = -state.F.transpose();
     }
@@ -195,14 +199,14 @@ std::vector<bodies::NamedField> fields(const SolvedBody<dim, n>& solved, const s
         all.push_back({"q" + suffix, q});
     } else {
         for (Index I = 0; I < N; ++I) {
-            const auto numbers = named(solved.at_particles[static_cast<std::size_t>(I)], solved.material);
+            const auto numbers = named(at_particles[static_cast<std::size_t>(I)], material);
             if (I == 0)
                 for (std::size_t k = n; k < numbers.size(); ++k)
                     all.push_back({numbers[k].first + suffix, Eigen::MatrixXd(1, N)});
             for (std::size_t k = n; k < numbers.size(); ++k) all[k - n + 1].values(0, I) = numbers[k].second;
         }
     }
-    all.push_back({"quality" + suffix, solved.solution.R.matrix().transpose()});
+    all.push_back({"quality" + suffix, R.matrix().transpose()});
     return all;
 }
 
@@ -268,28 +272,40 @@ template std::vector<State<2, 1>> states(const bodies::Problem<2, 1>&, const bod
                                          const Points<2>&);
 template std::vector<std::pair<std::string, double>> named(const State<2, 1>&, const Material&);
 template std::vector<Quantity<2>> quantities(const SolvedBody<2, 1>&, const std::vector<Point<2>>&);
-template std::vector<bodies::NamedField> fields(const SolvedBody<2, 1>&, const std::string&);
+template std::vector<Quantity<2>> extremes(const SolvedBody<2, 1>&);
+template std::vector<bodies::NamedField> fields(const std::vector<State<2, 1>>&,
+                                                const bodies::Column<double>&, const Material&,
+                                                const std::string&);
 template report::Table drawing(const SolvedBody<2, 1>&);
 
 template std::vector<State<3, 1>> states(const bodies::Problem<3, 1>&, const bodies::Solution<3, 1>&,
                                          const Points<3>&);
 template std::vector<std::pair<std::string, double>> named(const State<3, 1>&, const Material&);
 template std::vector<Quantity<3>> quantities(const SolvedBody<3, 1>&, const std::vector<Point<3>>&);
-template std::vector<bodies::NamedField> fields(const SolvedBody<3, 1>&, const std::string&);
+template std::vector<Quantity<3>> extremes(const SolvedBody<3, 1>&);
+template std::vector<bodies::NamedField> fields(const std::vector<State<3, 1>>&,
+                                                const bodies::Column<double>&, const Material&,
+                                                const std::string&);
 template report::Table drawing(const SolvedBody<3, 1>&);
 
 template std::vector<State<2, 2>> states(const bodies::Problem<2, 2>&, const bodies::Solution<2, 2>&,
                                          const Points<2>&);
 template std::vector<std::pair<std::string, double>> named(const State<2, 2>&, const Material&);
 template std::vector<Quantity<2>> quantities(const SolvedBody<2, 2>&, const std::vector<Point<2>>&);
-template std::vector<bodies::NamedField> fields(const SolvedBody<2, 2>&, const std::string&);
+template std::vector<Quantity<2>> extremes(const SolvedBody<2, 2>&);
+template std::vector<bodies::NamedField> fields(const std::vector<State<2, 2>>&,
+                                                const bodies::Column<double>&, const Material&,
+                                                const std::string&);
 template report::Table drawing(const SolvedBody<2, 2>&);
 
 template std::vector<State<3, 3>> states(const bodies::Problem<3, 3>&, const bodies::Solution<3, 3>&,
                                          const Points<3>&);
 template std::vector<std::pair<std::string, double>> named(const State<3, 3>&, const Material&);
 template std::vector<Quantity<3>> quantities(const SolvedBody<3, 3>&, const std::vector<Point<3>>&);
-template std::vector<bodies::NamedField> fields(const SolvedBody<3, 3>&, const std::string&);
+template std::vector<Quantity<3>> extremes(const SolvedBody<3, 3>&);
+template std::vector<bodies::NamedField> fields(const std::vector<State<3, 3>>&,
+                                                const bodies::Column<double>&, const Material&,
+                                                const std::string&);
 template report::Table drawing(const SolvedBody<3, 3>&);
 
 }  // namespace command_line

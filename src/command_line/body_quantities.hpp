@@ -60,9 +60,16 @@ template <int dim, int n>
 std::vector<Quantity<dim>> quantities(const SolvedBody<dim, n>& solved,
                                       const std::vector<bodies::Point<dim>>& places);
 
-/// The fields at the particles, for `--field`. \param suffix of their names
+/// The largest numbers over the particles, of a scalar the smallest, too.
 template <int dim, int n>
-std::vector<bodies::NamedField> fields(const SolvedBody<dim, n>& solved, const std::string& suffix);
+std::vector<Quantity<dim>> extremes(const SolvedBody<dim, n>& solved);
+
+/// The fields at particles, for `--field`. \param R quality number of each \param suffix of their names
+template <int dim, int n>
+std::vector<bodies::NamedField> fields(const std::vector<bodies::State<dim, n>>& at_particles,
+                                       const bodies::Column<double>& R,
+                                       const batra2008::elastostatics::Material& material,
+                                       const std::string& suffix);
 
 /// A table for `--plot`: a row for each triangle of the body or, in space, of its surface, with the places
 /// and the numbers of its corners; without cells a row for each particle.

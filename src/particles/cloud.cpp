@@ -12,19 +12,6 @@ namespace particles {
 
 namespace {
 
-/// The distance δ of a grid of N particles that fills a box with sides L: \f$\prod_a (L_a/\delta + 1) = N\f$.
-/// Newton's method for 1/δ starts at \f$(N-1)/\sum_a L_a\f$, which is too large, and decreases.
-template <int dim>
-double spacing_of_grid(const Point<dim>& L, Index N) {
-    double per_length = static_cast<double>(N - 1) / L.sum();
-    while (true) {
-        const Eigen::Array<double, dim, 1> along = L.array() * per_length + 1;
-        const double less = (1 - static_cast<double>(N) / along.prod()) / (L.array() / along).sum();
-        if (!(per_length - less < per_length)) return 1 / per_length;
-        per_length -= less;
-    }
-}
-
 template <int dim>
 Points<dim> checked(Points<dim> x) {
     if (x.cols() < 2)
@@ -53,6 +40,18 @@ double nearest_neighbour(const Points<dim>& x, const Cells<dim>& cells, Index j,
 }
 
 }  // namespace
+
+template <int dim>
+double spacing_of_grid(const Point<dim>& L, Index N) {
+    // Newton's method for 1/δ starts from what is too large, and decreases.
+    double per_length = static_cast<double>(N - 1) / L.sum();
+    while (true) {
+        const Eigen::Array<double, dim, 1> along = L.array() * per_length + 1;
+        const double less = (1 - static_cast<double>(N) / along.prod()) / (L.array() / along).sum();
+        if (!(per_length - less < per_length)) return 1 / per_length;
+        per_length -= less;
+    }
+}
 
 template <int dim>
 Cloud<dim>::Cloud(const Points<dim>& x) : Cloud(x, Column<double>::Zero(x.cols())) {
@@ -116,6 +115,10 @@ int Cloud<dim>::nearest(const Point<dim>& place) const {
         });
     return closest;
 }
+
+template double spacing_of_grid<1>(const Point<1>&, Index);
+template double spacing_of_grid<2>(const Point<2>&, Index);
+template double spacing_of_grid<3>(const Point<3>&, Index);
 
 template class Cloud<1>;
 template class Cloud<2>;

@@ -12,6 +12,10 @@ namespace particles {
 using base::Index;
 using base::InvalidInput;
 
+/// The distance δ of a grid of N particles that fills a box with sides L: \f$\prod_a (L_a/\delta + 1) = N\f$.
+template <int dim>
+double spacing_of_grid(const Point<dim>& L, Index N);
+
 /// Particles in any order in one, two or three dimensions: positions, and a volume for each particle
 /// [length^dim]. Compiled once for each dimension, in cloud.cpp.
 template <int dim>

@@ -11,6 +11,7 @@
 #include "command_line/body_files.hpp"
 #include "command_line/body_judgement.hpp"
 #include "command_line/body_options.hpp"
+#include "command_line/body_table.hpp"
 #include "command_line/options.hpp"
 #include "command_line/progress.hpp"
 #include "command_line/sweep.hpp"
@@ -73,24 +74,6 @@ Found<dim> modes(const BodyOptions& options, const Problem<dim, n>& problem, con
     return found;
 }
 
-/// The columns of the table, without those of `--refine`.
-template <int dim>
-std::vector<report::ColumnHead> columns() {
-    std::vector<report::ColumnHead> all{{"method"}, {"particles"}, {"quantity"}, {"x"}, {"y"}};
-    if (dim == 3) all.push_back({"z"});
-    all.push_back({"value", {1e-6, 0}});
-    return all;
-}
-
-template <int dim>
-std::vector<Cell> row(const std::string& method, Index particles, const Quantity<dim>& quantity) {
-    std::vector<Cell> cells{method, static_cast<long>(particles), quantity.name};
-    for (int axis = 0; axis < dim; ++axis)
-        cells.push_back(quantity.place ? Cell((*quantity.place)[axis]) : Cell());
-    cells.emplace_back(quantity.value);
-    return cells;
-}
-
 /// Order, extrapolated value and uncertainty from the last three clouds; empty for what has no limit.
 template <int dim>
 std::vector<Cell> limit(const std::vector<Found<dim>>& clouds, std::size_t quantity) {
@@ -103,20 +86,6 @@ std::vector<Cell> limit(const std::vector<Found<dim>>& clouds, std::size_t quant
         bodies::extrapolated(value(2), value(1), value(0), ratio, formal);
     const auto cell = [](double number) { return std::isfinite(number) ? Cell(number) : Cell(); };
     return {cell(order), cell(extrapolated), cell(uncertainty)};
-}
-
-/// The sides of a body with their numbers of particles, and those on which nothing is given.
-template <int dim, int n>
-std::vector<std::string> about_sides(const Problem<dim, n>& problem, const Body<dim>& body) {
-    std::string sides, free;
-    for (const auto& side : body.sides) {
-        const std::string name = bodies::is_unnamed(side.name) ? "the rest of the boundary" : side.name;
-        sides += (sides.empty() ? "" : ", ") + name + " (" + std::to_string(side.places.size()) + ")";
-        if (problem.given_on(side) == nullptr) free += (free.empty() ? "" : ", ") + name;
-    }
-    return {"sides, with their particles: " + sides,
-            std::string(n == 1 ? "insulated" : "free of loads") +
-                ", since nothing is given there: " + (free.empty() ? "none" : free)};
 }
 
 template <int dim, int n>
@@ -146,7 +115,9 @@ class BodyTable {
             progress.step();
         }
         if (!finest) return;
-        sides_ = about_sides(problem, body);
+        std::vector<Index> counts;
+        for (const auto& side : body.sides) counts.push_back(static_cast<Index>(side.places.size()));
+        sides_ = command_line::about_sides(problem, body, counts);
         if (!fields_.empty()) bodies::write_field(options_.field, body, fields_, comments(body));
         comments_ = comments(body);
     }
@@ -154,7 +125,7 @@ class BodyTable {
     /// The rows of all methods; of one that failed, a row that says why.
     /// \throws base::InvalidInput or base::FailedComputation where all failed
     [[nodiscard]] report::Table table(const std::vector<std::string>& notes) const {
-        report::Table table{comments_, columns<dim>(), {}};
+        report::Table table{comments_, command_line::columns<dim>(), {}};
         table.comments.insert(table.comments.end(), notes.begin(), notes.end());
         const bool refined = options_.refine > 1;
         if (refined)
@@ -172,7 +143,7 @@ class BodyTable {
             table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
             std::vector<std::vector<Cell>> rows;
             for (std::size_t q = 0; q < last.quantities.size(); ++q) {
-                rows.push_back(row(method, particles_.back(), last.quantities[q]));
+                rows.push_back(command_line::row(method, particles_.back(), last.quantities[q]));
                 const auto more = refined ? limit(clouds, q) : std::vector<Cell>();
                 rows.back().insert(rows.back().end(), more.begin(), more.end());
             }
@@ -201,22 +172,26 @@ class BodyTable {
         command_line::SolvedBody<dim, n> all{problem, body, solution, material_};
         all.at_particles = command_line::states(problem, solution, body.x);
         Found<dim> found{command_line::quantities(all, places_), {}};
-        const auto judged = command_line::judgement(all);
+        const auto judged = bodies::judgement(problem, body, solution);
         for (const auto& quantity : command_line::quantities<dim>(judged))
             found.quantities.push_back(quantity);
         if (options_.seconds) found.quantities.push_back({"seconds", {}, seconds.count(), false});
         if (!finest) return found;
-        found.remarks = command_line::remarks(all, judged, how.degree, remedy(body, how));
+        found.remarks = command_line::remarks(solution.approximation.how(), judged,
+                                              command_line::particles_of(all), how.degree, remedy(body, how));
         if (!options_.field.empty()) {
             const std::string suffix = results_.size() > 1 ? "_" + method : "";
-            for (auto& field : command_line::fields(all, suffix)) fields_.push_back(std::move(field));
+            for (auto& field : command_line::fields(all.at_particles, solution.R, material_, suffix))
+                fields_.push_back(std::move(field));
         }
         if (!options_.figure.path.empty()) options_.figure.table = command_line::drawing(all);
         return found;
     }
 
     [[nodiscard]] std::vector<std::string> comments(const Body<dim>& body) const {
-        std::vector<std::string> all = command_line::comments(options_, dim);
+        std::vector<std::string> all{command_line::comment_on_body(options_)};
+        for (const std::string& comment : command_line::comments(options_.problem, dim))
+            all.push_back(comment);
         std::string particles;
         for (const Index N : particles_) particles += (particles.empty() ? "" : ", ") + std::to_string(N);
         all.push_back(particles + " particles, " + std::to_string(body.cells.size()) + " cells, from " +
@@ -226,15 +201,8 @@ class BodyTable {
         if (body.gap > 0)
             all.emplace_back("gap between the straight pieces of the boundary and the shape: " +
                              shown(body.gap, 3) + " at most");
-        if (options_.modes > 0)
-            all.emplace_back(
-                n == 1
-                    ? "eigenvalues of -div(k grad u) + c u = lambda u, all values and loads zero"
-                    : "eigenvalues of -div(stress) + c u = lambda u, all values and loads zero: a density rho makes the frequency sqrt(lambda/rho)/(2 pi)");
-        else if (n == 1)
-            all.emplace_back("q1, q2: the flux of heat -k grad u; loads and reactions are heat that enters");
-        else if (dim == 2)
-            all.emplace_back("loads and reactions are for each unit of thickness");
+        const std::string numbers = command_line::about_numbers(n == 1, dim, options_.modes > 0);
+        if (!numbers.empty()) all.push_back(numbers);
         if (options_.refine > 1)
             all.emplace_back(
                 "clouds of --size, size/sqrt(2), ...; from the last three: the observed order, the extrapolated value, and its uncertainty 1.25 |f3 - f2|/(r^p - 1), or three times the range for an order that cannot be");

@@ -104,7 +104,7 @@ command_line::BodyOptions options_of(const py::dict& keywords) {
     std::vector<char*> argv(all.size());
     std::transform(all.begin(), all.end(), argv.begin(), [](std::string& one) { return one.data(); });
     static_cast<void>(line.read(static_cast<int>(argv.size()), argv.data()));
-    command_line::check_methods(options);
+    command_line::check_methods(options, command_line::names_of_all_methods());
     if (options.methods.size() > 1 || options.methods == std::vector<std::string>{"all"})
         throw InvalidInput("solve takes one method; call it for each");
     return options;
@@ -259,9 +259,11 @@ py::tuple solved(const command_line::BodyOptions& options, const particles::Spac
     command_line::SolvedBody<dim, n> all{problem, body, solution, {1, 0}};
     if constexpr (n == dim) all.material = command_line::material(options.problem);
     all.at_particles = command_line::states(problem, solution, body.x);
-    const auto judged = command_line::judgement(all);
+    const auto judged = bodies::judgement(problem, body, solution);
     const std::string finer = how.method == bodies::Method::hats ? "" : "--method hats or ";
-    const auto remarks = command_line::remarks(all, judged, how.degree, finer + "a finer mesh");
+    const auto remarks =
+        command_line::remarks(solution.approximation.how(), judged, command_line::particles_of(all),
+                              how.degree, finer + "a finer mesh");
     std::vector<bodies::State<dim, n>> states;
     if (at)
         states = command_line::states(problem, solution, *at);

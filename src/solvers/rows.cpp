@@ -9,7 +9,7 @@
 
 namespace solvers {
 
-SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknowns) {
+SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknowns, Eigen::Index points) {
     using base::Index;
     const auto N = static_cast<Index>(near.size());
     std::size_t entries = 0;
@@ -18,7 +18,7 @@ SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknown
     if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw base::InvalidInput("a system of " + std::to_string(entries) +
                                  " entries is too large; take fewer particles or a smaller scaling factor");
-    SparseRows A(unknowns * N, unknowns * N);
+    SparseRows A(unknowns * N, unknowns * points);
     A.resizeNonZeros(static_cast<Index>(entries));
     A.outerIndexPtr()[0] = 0;
     for (Index i = 0; i < A.rows(); ++i)

@@ -13,9 +13,15 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// A matrix of zeros that stores square blocks: for some unknowns at each point, a block for each pair of
 /// neighbours. The unknowns of a point follow one another.
-/// \param near neighbours of each point, in increasing order \param unknowns number at each point
+/// \param near neighbours of each point that has rows, in increasing order
+/// \param unknowns number at each point \param points number of those that have columns
 /// \throws base::InvalidInput for more entries than an int can count
-SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknowns);
+SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknowns, Eigen::Index points);
+
+/// The same where all points have rows.
+inline SparseRows rows_in_blocks(const std::vector<std::vector<int>>& near, int unknowns) {
+    return rows_in_blocks(near, unknowns, static_cast<Eigen::Index>(near.size()));
+}
 
 /// Writes a row of such a matrix: the factors of the unknowns at some points. Other entries keep their
 /// values.

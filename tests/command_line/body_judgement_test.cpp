@@ -10,7 +10,6 @@
 
 using namespace bodies;
 using batra2008::elastostatics::Plane;
-using command_line::Judgement;
 using command_line::SolvedBody;
 
 namespace {
@@ -26,7 +25,8 @@ std::vector<std::string> remarks_on_sheared(Method method) {
     how.method = method;
     const auto solution = solve(problem, body, how);
     const SolvedBody<2, 2> all{problem, body, solution, {1, 0.3}};
-    return command_line::remarks(all, command_line::judgement(all), how.degree, "THIS");
+    return command_line::remarks(solution.approximation.how(), judgement(problem, body, solution),
+                                 command_line::particles_of(all), how.degree, "THIS");
 }
 
 }  // namespace
@@ -48,8 +48,9 @@ TEST_CASE("body judgement: stresses that miss the given loads have a remark, and
         problem.equation = elasticity<2>({1, nu, Plane::strain});
         const auto solution = solve(problem, body, how);
         const SolvedBody<2, 2> all{problem, body, solution, {1, nu, Plane::strain}};
-        const Judgement<2> judged = command_line::judgement(all);
-        const auto remarks = command_line::remarks(all, judged, how.degree, "");
+        const Judgement<2> judged = judgement(all.problem, all.body, all.solution);
+        const auto remarks = command_line::remarks(solution.approximation.how(), judged,
+                                                   command_line::particles_of(all), how.degree, "");
         const bool missed = std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
             return remark.starts_with("hats: the stresses at the boundary miss the given loads by ");
         });
@@ -71,9 +72,10 @@ TEST_CASE("body judgement: monomials of a lower degree than asked for have a rem
     how.method = Method::hats;
     const auto solution = solve(problem, body, how);
     const SolvedBody<2, 1> all{problem, body, solution, {1, 0}};
-    const Judgement<1> judged = command_line::judgement(all);
+    const Judgement<1> judged = judgement(all.problem, all.body, all.solution);
     const auto says = [&](int degree) {
-        const auto remarks = command_line::remarks(all, judged, degree, "");
+        const auto remarks = command_line::remarks(solution.approximation.how(), judged,
+                                                   command_line::particles_of(all), degree, "");
         return std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
             return remark.starts_with(
                 "hats: monomials of degree 2, since the particles determine those of degree 3");
