@@ -62,10 +62,11 @@ cli := $(BUILD)/src/command_line/command_line.o
 methods := $(BUILD)/libparticle-methods.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
-# Gmsh's library is for one program and its tests, which make/body.mk links.
-programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter-out %/body.cpp,$(filter src/programs/%,$(sources))))
+# Gmsh's library and PETSc are for two programs and their tests, which make/body.mk and make/distributed.mk link.
+programs := $(patsubst src/programs/%.cpp,$(bin)/%,$(filter-out %/body.cpp %/distributed.cpp,$(filter src/programs/%,$(sources))))
 body_tests := $(call objects_in,tests/meshes/% tests/programs/body%)
-tests := $(filter-out $(body_tests) $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/%),$(call objects_in,tests/%))
+tests := $(filter-out $(body_tests) $(addprefix $(BUILD)/tests/,benchmarks/% fuzzing/% refusals/% distributed/% programs/distributed%),\
+           $(call objects_in,tests/%))
 
 .PHONY: help setup build data figures check claims clean FORCE
 help: ## list the targets
@@ -75,7 +76,7 @@ goals := $(filter-out setup,$(MAKECMDGOALS))
 setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
 	@CXX='$(CXX)' SANITIZE='$(SANITIZE)' bash make/setup $(goals)
 
-include make/tables.mk make/live.mk make/doc.mk make/quality.mk make/install.mk make/body.mk make/python.mk
+include make/tables.mk make/live.mk make/doc.mk make/quality.mk make/install.mk make/body.mk make/python.mk make/distributed.mk
 
 build: $(programs) ## compile the programs into build/bin
 

@@ -7,7 +7,6 @@
 
 #include "base/parallel.hpp"
 #include "bodies/hats.hpp"
-#include "bodies/integrals.hpp"
 #include "particles/cloud.hpp"
 
 namespace bodies {
@@ -93,11 +92,12 @@ void add_side(Sums<n>& sums, const Side<dim>& side, const Problem<dim, n>& probl
 }
 
 template <int dim, int n>
-Forces<n> forces_in(const Body<dim>& body, const Problem<dim, n>& problem, const Solution<dim, n>& solution) {
+Forces<n> forces_in(const std::vector<IntegrationPoint<dim>>& volume, const Problem<dim, n>& problem,
+                    const Solution<dim, n>& solution) {
     Forces<n> all;
     const double c = problem.equation.c;
     if (!problem.equation.b && c == 0) return all;
-    for (const auto& at : rule_in(body)) {
+    for (const auto& at : volume) {
         const Values<n> of_b = source(problem.equation, at.x);
         const Values<n> of_u =
             c == 0 ? Values<n>(Values<n>::Zero()) : Values<n>(c * state_at(problem, solution, at.x).u);
@@ -214,10 +214,10 @@ Extent<dim> extent_of(const Body<dim>& body) {
 
 template <int dim, int n>
 Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution,
-             double spacing, const std::vector<int>& own) {
+             const std::vector<IntegrationPoint<dim>>& volume, double spacing, const std::vector<int>& own) {
     Sums<n> all{std::vector<Forces<n>>(problem.given.size())};
     for (const Side<dim>& side : body.sides) add_side(all, side, problem, solution, spacing);
-    all.in = forces_in(body, problem, solution);
+    all.in = forces_in(volume, problem, solution);
     add_particles(all, solution, own);
     if (body.x.cols() > 0) all.coefficient = problem.equation.A(body.x.col(0)).norm();
     return all;
@@ -234,7 +234,9 @@ Judgement<n> judgement(const Problem<dim, n>& problem, const Body<dim>& body,
     const Extent<dim> extent = extent_of(body);
     std::vector<int> all(static_cast<std::size_t>(body.x.cols()));
     std::iota(all.begin(), all.end(), 0);
-    const Sums<n> of_body = sums(problem, body, solution, extent.spacing(), all);
+    std::vector<IntegrationPoint<dim>> volume;
+    if (problem.equation.b || problem.equation.c != 0) volume = rule_in(body);
+    const Sums<n> of_body = sums(problem, body, solution, volume, extent.spacing(), all);
     return judgement(problem, of_body, extent,
                      solution.approximation.how().method == Method::hats
                          ? consistent_reactions(problem, body, solution)
@@ -284,23 +286,23 @@ template Extent<3> extent_of(const Body<3>&);
 template std::vector<Index> across_gaps(const Body<2>&, const Approximation<2>&);
 template std::vector<Index> across_gaps(const Body<3>&, const Approximation<3>&);
 
-template Sums<1> sums(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&, double,
-                      const std::vector<int>&);
+template Sums<1> sums(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&,
+                      const std::vector<IntegrationPoint<2>>&, double, const std::vector<int>&);
 template Judgement<1> judgement(const Problem<2, 1>&, const Sums<1>&, const Extent<2>&);
 template Judgement<1> judgement(const Problem<2, 1>&, const Body<2>&, const Solution<2, 1>&);
 
-template Sums<1> sums(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&, double,
-                      const std::vector<int>&);
+template Sums<1> sums(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&,
+                      const std::vector<IntegrationPoint<3>>&, double, const std::vector<int>&);
 template Judgement<1> judgement(const Problem<3, 1>&, const Sums<1>&, const Extent<3>&);
 template Judgement<1> judgement(const Problem<3, 1>&, const Body<3>&, const Solution<3, 1>&);
 
-template Sums<2> sums(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&, double,
-                      const std::vector<int>&);
+template Sums<2> sums(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&,
+                      const std::vector<IntegrationPoint<2>>&, double, const std::vector<int>&);
 template Judgement<2> judgement(const Problem<2, 2>&, const Sums<2>&, const Extent<2>&);
 template Judgement<2> judgement(const Problem<2, 2>&, const Body<2>&, const Solution<2, 2>&);
 
-template Sums<3> sums(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&, double,
-                      const std::vector<int>&);
+template Sums<3> sums(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&,
+                      const std::vector<IntegrationPoint<3>>&, double, const std::vector<int>&);
 template Judgement<3> judgement(const Problem<3, 3>&, const Sums<3>&, const Extent<3>&);
 template Judgement<3> judgement(const Problem<3, 3>&, const Body<3>&, const Solution<3, 3>&);
 

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/integrals.hpp"
 #include "bodies/solution.hpp"
 
 // What a solution says of itself, without a reference: whether its forces are in equilibrium, whether its
@@ -92,11 +93,12 @@ void combine(Sums<n>& sums, const Add& add, const Most& most) {
     for (double* number : {&sums.unseen, &sums.largest_u, &sums.coefficient}) most(*number);
 }
 
-/// \param body or a part of it, with the pieces and the cells over which this part integrates
+/// \param body or a part of it, with the pieces over which this part integrates
+/// \param volume points of the body or the part, rule_in()
 /// \param spacing mean distance of the body's particles \param own particles over which this part sums
 template <int dim, int n>
 Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution,
-             double spacing, const std::vector<int>& own);
+             const std::vector<IntegrationPoint<dim>>& volume, double spacing, const std::vector<int>& own);
 
 /// Where the particles of a body lie, and how many they are.
 template <int dim>

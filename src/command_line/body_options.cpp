@@ -170,7 +170,8 @@ void check_effect(const BodyOptions& options, const std::vector<std::string>& kn
             return std::find(those.begin(), those.end(), method) != those.end();
         });
         if (changed && !methods.empty() && !asked)
-            throw InvalidInput(option + " belongs to " + whose + "; add one of " + joined(those) +
+            throw InvalidInput(option + " belongs to " + whose +
+                               (those.size() == 1 ? "; add " : "; add one of ") + joined(those) +
                                " to --method, or leave " + option + " out");
     };
     const std::vector<std::string> weak{"weak1", "weak2", "hats"}, ssph{"strong", "weak1", "weak2", "hats"};

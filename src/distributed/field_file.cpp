@@ -1,0 +1,59 @@
+#include "distributed/field_file.hpp"
+
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "report/file.hpp"
+
+namespace distributed {
+
+namespace {
+
+const std::string ending = ".pvtu";
+
+/// An array of the index; vectors of the plane have a third component, as in the pieces.
+std::string array(const std::string& name, bodies::Index components) {
+    return "<PDataArray type=\"Float64\" Name=\"" + name + "\" NumberOfComponents=\"" +
+           std::to_string(components == 2 ? 3 : components) + "\"/>\n";
+}
+
+}  // namespace
+
+void check_field_path(const std::string& path) {
+    if (!path.ends_with(ending))
+        throw base::InvalidInput("--field " + path +
+                                 " is no file for a field of many processes; let its name end with .pvtu");
+}
+
+template <int dim>
+void write_field(const Processes& processes, const std::string& path, const bodies::Body<dim>& body,
+                 const std::vector<bodies::NamedField>& fields) {
+    check_field_path(path);
+    const std::string stem = path.substr(0, path.size() - ending.size());
+    const auto piece = [&](int rank) { return stem + "_" + std::to_string(rank) + ".vtu"; };
+    const bool draws = body.x.cols() > 0;
+    processes.together([&] {
+        if (draws) bodies::write_field(piece(processes.rank()), body, fields);
+    });
+    const std::vector<double> all = processes.gathered({draws ? 1.0 : 0.0});
+    processes.together([&] {
+        if (!processes.is_first()) return;
+        std::string text =
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
+            array("Points", 3) + "</PPoints>\n<PPointData>\n";
+        for (const auto& field : fields) text += array(field.name, field.values.rows());
+        text += "</PPointData>\n";
+        for (int rank = 0; rank < processes.count(); ++rank)
+            if (all[static_cast<std::size_t>(rank)] != 0)
+                text +=
+                    "<Piece Source=\"" + std::filesystem::path(piece(rank)).filename().string() + "\"/>\n";
+        report::write_whole(path, text + "</PUnstructuredGrid>\n</VTKFile>\n");
+    });
+}
+
+template void write_field(const Processes&, const std::string&, const bodies::Body<2>&,
+                          const std::vector<bodies::NamedField>&);
+template void write_field(const Processes&, const std::string&, const bodies::Body<3>&,
+                          const std::vector<bodies::NamedField>&);
+
+}  // namespace distributed

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bodies/field_file.hpp"
+#include "distributed/processes.hpp"
+
+namespace distributed {
+
+/// \throws base::InvalidInput unless the file's name ends with .pvtu
+void check_field_path(const std::string& path);
+
+/// Writes fields for ParaView: each process a file of its own, FILE_0.vtu and so on, the first one FILE.pvtu,
+/// which names them, when all are complete.
+/// \param body what this process draws; nothing where it has no particles
+/// \param fields at the particles of the body; on each process with the same names
+template <int dim>
+void write_field(const Processes& processes, const std::string& path, const bodies::Body<dim>& body,
+                 const std::vector<bodies::NamedField>& fields);
+
+}  // namespace distributed

@@ -1,0 +1,79 @@
+#include "distributed/petsc.hpp"
+
+#include <slepcsys.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "base/errors.hpp"
+
+namespace distributed {
+
+void require(PetscErrorCode code) {
+    if (code == 0) return;
+    const char* text = nullptr;
+    char* specific = nullptr;
+    PetscErrorMessage(code, &text, &specific);
+    std::string why = text != nullptr ? text : "error " + std::to_string(code);
+    if (specific != nullptr && *specific != '\0') why += std::string(": ") + specific;
+    int processes = 1;
+    MPI_Comm_size(PETSC_COMM_WORLD, &processes);
+    if (processes > 1) {
+        int rank = 0;
+        MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+        std::cerr.rdbuf(std::clog.rdbuf());
+        std::cerr << "distributed: process " << rank << ": PETSc: " << why << std::endl;
+        MPI_Abort(PETSC_COMM_WORLD, 1);
+    }
+    throw base::FailedComputation("PETSc: " + why);
+}
+
+Petsc::Petsc(std::vector<std::string> options) : options_(std::move(options)) {
+    std::vector<char*> argv{const_cast<char*>("distributed")};
+    for (std::string& option : options_) argv.push_back(option.data());
+    argv.push_back(nullptr);
+    auto argc = static_cast<int>(argv.size()) - 1;
+    char** all = argv.data();
+    // PETSc would print its own help, and pages about every error.
+    PetscOptionsSetValue(nullptr, "-skip_petscrc", "1");
+    SlepcInitialize(&argc, &all, nullptr, nullptr);
+    PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+    PetscPopSignalHandler();
+}
+
+Petsc::~Petsc() {
+    SlepcFinalize();
+}
+
+std::vector<std::string> Petsc::unused() const {
+    std::vector<std::string> names;
+    for (const std::string& option : options_) {
+        if (option.size() < 2 || option[0] != '-' ||
+            (std::isalpha(static_cast<unsigned char>(option[1])) == 0))
+            continue;
+        PetscBool used = PETSC_FALSE;
+        PetscOptionsUsed(nullptr, option.c_str() + 1, &used);  // its name without the dash
+        if (used == PETSC_FALSE) names.push_back(option);
+    }
+    return names;
+}
+
+bool has_options(const std::string& beginning) {
+    char* all = nullptr;
+    require(PetscOptionsGetAll(nullptr, &all));
+    std::istringstream words(all);
+    PetscFree(all);
+    std::string word;
+    while (words >> word)
+        if (word.starts_with(beginning)) return true;
+    return false;
+}
+
+void set_default(const std::string& name, const std::string& value) {
+    PetscBool is_set = PETSC_FALSE;
+    require(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &is_set));
+    if (is_set == PETSC_FALSE) require(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
+}
+
+}  // namespace distributed

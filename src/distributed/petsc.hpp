@@ -1,0 +1,58 @@
+#pragma once
+
+#include <petscsys.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace distributed {
+
+/// \throws base::FailedComputation in PETSc's words for an error code. What communicates may have failed on
+///         one process alone: then the others wait for it, and all are ended instead, with one line.
+void require(PetscErrorCode code);
+
+/// An object of PETSc, destroyed with its owner.
+template <class Object, PetscErrorCode (*destroy)(Object*)>
+class Owned {
+  public:
+    Owned() = default;
+    Owned(Owned&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+    Owned& operator=(Owned&& other) noexcept {
+        std::swap(object_, other.object_);
+        return *this;
+    }
+    ~Owned() {
+        if (object_ != nullptr) destroy(&object_);
+    }
+    operator Object() const { return object_; }
+    /// Where a function of PETSc puts a new object.
+    Object* made() { return &object_; }
+
+  private:
+    Object object_ = nullptr;
+};
+
+/// PETSc and SLEPc, from the beginning of a program to its end.
+class Petsc {
+  public:
+    /// \param options those of the command line that are PETSc's: names with one dash, and their values
+    explicit Petsc(std::vector<std::string> options);
+    Petsc(const Petsc&) = delete;
+    Petsc& operator=(const Petsc&) = delete;
+    ~Petsc();
+
+    /// Options that nothing has asked for, such as misspelt ones.
+    [[nodiscard]] std::vector<std::string> unused() const;
+
+  private:
+    std::vector<std::string> options_;
+};
+
+/// Whether the user gave one of PETSc's options whose names begin so.
+bool has_options(const std::string& beginning);
+
+/// Gives an option unless the user did.
+void set_default(const std::string& name, const std::string& value);
+
+}  // namespace distributed

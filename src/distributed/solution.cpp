@@ -1,0 +1,97 @@
+#include "distributed/solution.hpp"
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "bodies/quality.hpp"
+
+namespace distributed {
+
+namespace {
+
+/// What a process makes of its part without the others.
+template <int dim, int n>
+struct Own {
+    std::optional<Approximation<dim>> approximation;
+    bodies::Conditions<dim, n> conditions;
+    bodies::Quality quality;
+};
+
+template <int dim, int n>
+Own<dim, n> own(const Part<dim>& part, const bodies::Problem<dim, n>& problem) {
+    Own<dim, n> all;
+    all.conditions = bodies::conditions(problem, part.body);
+    if (part.own.empty()) return all;
+    all.approximation.emplace(approximation_of(part));
+    const std::vector<int> order = bodies::highest_derivatives<dim, n>(all.conditions, part.how.method);
+    std::vector<int> of_own(order.size(), bodies::no_equations);
+    for (const int I : part.own) of_own[static_cast<std::size_t>(I)] = order[static_cast<std::size_t>(I)];
+    all.quality = bodies::checked_quality(part.body, *all.approximation, of_own);
+    return all;
+}
+
+void require_collocation(bodies::Method method) {
+    if (method != bodies::Method::fpm && method != bodies::Method::strong)
+        throw base::InvalidInput(bodies::name(method) +
+                                 ": its equations are made on one machine; on several take fpm or strong");
+}
+
+}  // namespace
+
+template <int dim, int n>
+Solved<dim, n> solve(const Processes& processes, const Part<dim>& part,
+                     const bodies::Problem<dim, n>& problem, const Progress& progress) {
+    require_collocation(part.how.method);
+    const auto start = std::chrono::steady_clock::now();
+    Own<dim, n> all;
+    processes.together([&] { all = own(part, problem); });
+    const Numbering numbering(processes, part, n);
+    const System system = assembled(numbering, part, problem, all.conditions, all.approximation,
+                                    bodies::Wanted::solution, progress.assembly);
+    Solved<dim, n> solved;
+    solved.assembly = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const Eigen::MatrixXd u =
+        numbering.at_all(distributed::solved(system, n, solved.report, progress.iterations));
+
+    const auto& [R, worst] = all.quality;
+    const int first = processes.where_largest(worst.R);
+    solved.quality = processes.from(first, worst.R);
+    for (Index axis = 0; axis < dim; ++axis)
+        solved.worst[axis] = processes.from(first, R.size() > 0 ? part.body.x(axis, worst.particle) : 0);
+    if (all.approximation)
+        solved.part.emplace(bodies::Solution<dim, n>{std::move(*all.approximation), std::move(all.conditions),
+                                                     R, worst.R, worst.particle,
+                                                     Eigen::Map<const Eigen::VectorXd>(u.data(), u.size())});
+    return solved;
+}
+
+template <int dim, int n>
+std::vector<double> eigenvalues(const Processes& processes, const Part<dim>& part,
+                                const bodies::Problem<dim, n>& problem, Index count,
+                                const Progress& progress) {
+    require_collocation(part.how.method);
+    bodies::require_modes(part.extent.particles, count);
+    Own<dim, n> all;
+    processes.together([&] { all = own(part, problem); });
+    const Numbering numbering(processes, part, n);
+    const System system = assembled(numbering, part, problem, all.conditions, all.approximation,
+                                    bodies::Wanted::eigenvalues, progress.assembly);
+    return bodies::vibrations(smallest_eigenvalues(system, count), part.how.method);
+}
+
+template Solved<2, 1> solve(const Processes&, const Part<2>&, const bodies::Problem<2, 1>&, const Progress&);
+template Solved<3, 1> solve(const Processes&, const Part<3>&, const bodies::Problem<3, 1>&, const Progress&);
+template Solved<2, 2> solve(const Processes&, const Part<2>&, const bodies::Problem<2, 2>&, const Progress&);
+template Solved<3, 3> solve(const Processes&, const Part<3>&, const bodies::Problem<3, 3>&, const Progress&);
+template std::vector<double> eigenvalues(const Processes&, const Part<2>&, const bodies::Problem<2, 1>&,
+                                         Index, const Progress&);
+template std::vector<double> eigenvalues(const Processes&, const Part<3>&, const bodies::Problem<3, 1>&,
+                                         Index, const Progress&);
+template std::vector<double> eigenvalues(const Processes&, const Part<2>&, const bodies::Problem<2, 2>&,
+                                         Index, const Progress&);
+template std::vector<double> eigenvalues(const Processes&, const Part<3>&, const bodies::Problem<3, 3>&,
+                                         Index, const Progress&);
+
+}  // namespace distributed
