@@ -69,27 +69,8 @@ void for_each_of(const std::vector<int>& rows, const Work& work) {
                          [&](Index k) { work(k, Index{rows[static_cast<std::size_t>(k)]}); });
 }
 
-}  // namespace
-
-template <int dim, int n>
-System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
-                  const Approximation<dim>& approximation, Wanted wanted, const std::vector<int>& rows) {
-    const Cloud<dim>& cloud = approximation.cloud();
-    std::vector<std::vector<int>> near(rows.size());
-    for_each_of(rows,
-                [&](Index k, Index I) { near[static_cast<std::size_t>(k)] = approximation.neighbours(I); });
-    System system = empty_system<n>(near, wanted, cloud.size());
-    for_each_of(rows, [&](Index k, Index I) {
-        const Weights<dim> at = approximation.at_particle(I);
-        const auto& here = conditions[static_cast<std::size_t>(I)];
-        write<dim, n>(system.A, system.b, k, problem.equation, here, cloud.x().col(I), at);
-        if (wanted == Wanted::solution || !here.empty()) return;
-        for (int i = 0; i < n; ++i)
-            set_row<n>(system.M, n * k + i, at.particle, -value_along<n>(Values<n>::Unit(i), at.value));
-    });
-    return system;
-}
-
+/// The equations on few neighbours, for a preconditioner.
+/// \param enough least number of neighbours, see solvers::enough_neighbours()
 template <int dim, int n>
 solvers::SparseRows collocated_on_nearest(const Problem<dim, n>& problem,
                                           const Conditions<dim, n>& conditions,
@@ -112,6 +93,27 @@ solvers::SparseRows collocated_on_nearest(const Problem<dim, n>& problem,
     return A;
 }
 
+}  // namespace
+
+template <int dim, int n>
+System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
+                  const Approximation<dim>& approximation, Wanted wanted, const std::vector<int>& rows) {
+    const Cloud<dim>& cloud = approximation.cloud();
+    std::vector<std::vector<int>> near(rows.size());
+    for_each_of(rows,
+                [&](Index k, Index I) { near[static_cast<std::size_t>(k)] = approximation.neighbours(I); });
+    System system = empty_system<n>(near, wanted, cloud.size());
+    for_each_of(rows, [&](Index k, Index I) {
+        const Weights<dim> at = approximation.at_particle(I);
+        const auto& here = conditions[static_cast<std::size_t>(I)];
+        write<dim, n>(system.A, system.b, k, problem.equation, here, cloud.x().col(I), at);
+        if (wanted == Wanted::solution || !here.empty()) return;
+        for (int i = 0; i < n; ++i)
+            set_row<n>(system.M, n * k + i, at.particle, -value_along<n>(Values<n>::Unit(i), at.value));
+    });
+    return system;
+}
+
 template <int dim, int n>
 System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
                   const Approximation<dim>& approximation, Wanted wanted) {
@@ -132,19 +134,11 @@ template System collocated(const Problem<2, 2>&, const Conditions<2, 2>&, const 
 template System collocated(const Problem<3, 3>&, const Conditions<3, 3>&, const Approximation<3>&, Wanted);
 template System collocated(const Problem<2, 1>&, const Conditions<2, 1>&, const Approximation<2>&, Wanted,
                            const std::vector<int>&);
-template solvers::SparseRows collocated_on_nearest(const Problem<2, 1>&, const Conditions<2, 1>&,
-                                                   const Approximation<2>&, Index, const std::vector<int>&);
 template System collocated(const Problem<3, 1>&, const Conditions<3, 1>&, const Approximation<3>&, Wanted,
                            const std::vector<int>&);
-template solvers::SparseRows collocated_on_nearest(const Problem<3, 1>&, const Conditions<3, 1>&,
-                                                   const Approximation<3>&, Index, const std::vector<int>&);
 template System collocated(const Problem<2, 2>&, const Conditions<2, 2>&, const Approximation<2>&, Wanted,
                            const std::vector<int>&);
-template solvers::SparseRows collocated_on_nearest(const Problem<2, 2>&, const Conditions<2, 2>&,
-                                                   const Approximation<2>&, Index, const std::vector<int>&);
 template System collocated(const Problem<3, 3>&, const Conditions<3, 3>&, const Approximation<3>&, Wanted,
                            const std::vector<int>&);
-template solvers::SparseRows collocated_on_nearest(const Problem<3, 3>&, const Conditions<3, 3>&,
-                                                   const Approximation<3>&, Index, const std::vector<int>&);
 
 }  // namespace bodies

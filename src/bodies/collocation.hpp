@@ -20,12 +20,4 @@ template <int dim, int n>
 System collocated(const Problem<dim, n>& problem, const Conditions<dim, n>& conditions,
                   const Approximation<dim>& approximation, Wanted wanted, const std::vector<int>& rows);
 
-/// The same on few neighbours, for a preconditioner: System::nearest.
-/// \param enough least number of neighbours, see solvers::enough_neighbours()
-template <int dim, int n>
-solvers::SparseRows collocated_on_nearest(const Problem<dim, n>& problem,
-                                          const Conditions<dim, n>& conditions,
-                                          const Approximation<dim>& approximation, Index enough,
-                                          const std::vector<int>& rows);
-
 }  // namespace bodies

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "base/errors.hpp"
@@ -206,18 +207,23 @@ typename Hats<dim, n>::Equations Hats<dim, n>::equations(Index I, const std::vec
 }
 
 template <int dim, int n>
-System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted) const {
-    const Index N = body_.x.cols();
+System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted,
+                            const std::vector<int>& rows) const {
+    const auto N = static_cast<Index>(rows.size());
     std::vector<Weights<dim>> on_cell(body_.cells.size());
     base::for_each_index(static_cast<Index>(on_cell.size()), [&](Index c) {
         on_cell[static_cast<std::size_t>(c)] = trial.on_cell(static_cast<int>(c));
     });
     trial.on_cell = [&](int c) { return on_cell[static_cast<std::size_t>(c)]; };
     std::vector<std::vector<int>> all_near(static_cast<std::size_t>(N));
-    base::for_each_index(N, [&](Index I) { all_near[static_cast<std::size_t>(I)] = near(I, trial); });
-    System system = empty_system<n>(all_near, wanted, static_cast<Index>(all_near.size()));
-    base::for_each_index(N, [&](Index I) {
-        const auto& here = all_near[static_cast<std::size_t>(I)];
+    base::for_each_index(N, [&](Index place) {
+        const auto k = static_cast<std::size_t>(place);
+        all_near[k] = near(rows[k], trial);
+    });
+    System system = empty_system<n>(all_near, wanted, body_.x.cols());
+    base::for_each_index(N, [&](Index place) {
+        const auto& here = all_near[static_cast<std::size_t>(place)];
+        const Index I = rows[static_cast<std::size_t>(place)];
         const auto& given = conditions[static_cast<std::size_t>(I)];
         const Equations all = equations(I, here, trial);
         for (int i = 0; i < n; ++i) {
@@ -237,9 +243,9 @@ System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, W
                 }
                 f = d.dot(all.f);
             }
-            set_row<n>(system.A, n * I + i, here, K);
-            if (wanted == Wanted::eigenvalues) set_row<n>(system.M, n * I + i, here, M);
-            system.b[n * I + i] = f;
+            set_row<n>(system.A, n * place + i, here, K);
+            if (wanted == Wanted::eigenvalues) set_row<n>(system.M, n * place + i, here, M);
+            system.b[n * place + i] = f;
         }
     });
     return system;
@@ -247,10 +253,25 @@ System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, W
 
 template <int dim, int n>
 System Hats<dim, n>::system(const Conditions<dim, n>& conditions, Wanted wanted) const {
-    System all = system(of_particles(), conditions, wanted);
-    if (n * body_.x.cols() > solvers::small_system)
-        all.nearest = system(linear(), conditions, Wanted::solution).A;
+    std::vector<int> rows(static_cast<std::size_t>(body_.x.cols()));
+    std::iota(rows.begin(), rows.end(), 0);
+    System all = system(of_particles(), conditions, wanted, rows);
+    if (n * body_.x.cols() > solvers::small_system) all.nearest = elements(conditions, rows);
     return all;
+}
+
+template <int dim, int n>
+solvers::SparseRows Hats<dim, n>::elements(const Conditions<dim, n>& conditions,
+                                           const std::vector<int>& rows) const {
+    return system(linear(), conditions, Wanted::solution, rows).A;
+}
+
+template <int dim, int n>
+double Hats<dim, n>::volume(Index I) const {
+    double sum = 0;
+    for (const int c : cells_of_[static_cast<std::size_t>(I)])
+        sum += simplex<dim>(body_.x, body_.cells[static_cast<std::size_t>(c)]).size / (dim + 1);
+    return sum;
 }
 
 template <int dim, int n>

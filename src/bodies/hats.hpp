@@ -29,6 +29,14 @@ class Hats {
     /// The equations, with a preconditioner if they are many: those of linear elements on the same cells.
     [[nodiscard]] System system(const Conditions<dim, n>& conditions, Wanted wanted = Wanted::solution) const;
 
+    /// The equations of some particles by linear elements, where u, too, is made of hats: n rows for each of
+    /// `rows`. A particle whose cells and pieces the body has needs no others.
+    [[nodiscard]] solvers::SparseRows elements(const Conditions<dim, n>& conditions,
+                                               const std::vector<int>& rows) const;
+
+    /// \f$\int W_I\,d\Omega\f$
+    [[nodiscard]] double volume(Index I) const;
+
     /// What the equation of a particle leaves: where values are given, the reaction. [force]
     [[nodiscard]] Values<n> residual(Index particle, const Eigen::VectorXd& u) const;
 
@@ -56,7 +64,8 @@ class Hats {
     [[nodiscard]] Trial linear() const;
     [[nodiscard]] std::vector<int> near(Index I, const Trial& trial) const;
     [[nodiscard]] Equations equations(Index I, const std::vector<int>& near, const Trial& trial) const;
-    [[nodiscard]] System system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted) const;
+    [[nodiscard]] System system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted,
+                                const std::vector<int>& rows) const;
 
     const Problem<dim, n>& problem_;
     const Body<dim>& body_;

@@ -123,6 +123,7 @@ void visit(Archive& archive, Part<dim>& part) {
     visit(archive, body.sides);
     visit(archive, body.cells);
     visit(archive, body.gap);
+    visit(archive, part.own_cells);
     visit(archive, part.number);
     visit(archive, part.own);
     Discretisation& how = part.how;

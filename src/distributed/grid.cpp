@@ -190,16 +190,22 @@ Part<dim> with_halo(const Grid<dim>& grid, const Box<dim>& own, const Place<dim>
                     side.pieces.push_back(facet(corners, normal));
                 });
         }
-    for (const int k : part.own) {
-        const Place<dim> place = held.place(k);
-        bool begins = true;
-        for (std::size_t axis = 0; axis < axes; ++axis) begins = begins && !is_last(place, axis);
-        if (begins)
+    for (const bool of_own : {true, false}) {
+        for (Index k = 0; k < held.size(); ++k) {
+            const Place<dim> place = held.place(k);
+            bool begins = own.has(place) == of_own;
+            for (std::size_t axis = 0; axis < axes; ++axis)
+                begins = begins && place[axis] + 1 < held.end[axis];
+            if (!begins) continue;
             for_each_simplex<axes + 1>(step, [&](const auto& offsets) {
                 std::array<int, axes + 1> cell{};
                 for (std::size_t c = 0; c <= axes; ++c) cell[c] = static_cast<int>(k + offsets[c]);
-                part.body.cells.push_back(cell);
+                if (of_own ||
+                    std::any_of(cell.begin(), cell.end(), [&](int I) { return own.has(held.place(I)); }))
+                    part.body.cells.push_back(cell);
             });
+        }
+        if (of_own) part.own_cells = static_cast<Index>(part.body.cells.size());
     }
     return part;
 }

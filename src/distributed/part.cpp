@@ -43,6 +43,15 @@ std::vector<bodies::IntegrationPoint<dim>> rule_on(const bodies::Piece<dim>& pie
     return bodies::rule_on(bodies::Side<dim>{"", {piece}, {}}, spacing);
 }
 
+std::vector<Point<2>> ends_of(const bodies::Piece<2>& piece) {
+    const auto* segment = std::get_if<particles::Segment>(&piece);
+    if (segment == nullptr) return {};
+    return {segment->from, segment->to};
+}
+std::vector<Point<3>> ends_of(const bodies::Piece<3>& piece) {
+    return {piece.corners.begin(), piece.corners.end()};
+}
+
 template <int dim>
 Point<dim> centre(const Body<dim>& body, const std::array<int, dim + 1>& cell) {
     Point<dim> sum = Point<dim>::Zero();
@@ -65,6 +74,13 @@ Approximation<dim> approximation_of(const Part<dim>& part) {
     const double volume = std::pow(part.extent.spacing(), dim);
     return Approximation<dim>(
         bodies::Cloud<dim>(part.body.x, Column<double>::Constant(part.body.x.cols(), volume)), part.how);
+}
+
+template <int dim>
+std::vector<bodies::IntegrationPoint<dim>> rule_in(const Part<dim>& part) {
+    const Body<dim> own{part.body.x, {}, {part.body.cells.begin(), part.body.cells.begin() + part.own_cells}};
+    if (own.cells.empty()) return {};
+    return bodies::rule_in(own);
 }
 
 template <int dim>
@@ -107,13 +123,23 @@ Part<dim> part_of(const Body<dim>& body, const Approximation<dim>& approximation
         if (owner != process) return;
         part.body.sides[side].pieces.push_back(piece);
         for (const auto& point : rule_on<dim>(piece, spacing)) take(approximation.neighbours_at(point.x));
+        for (const Point<dim>& end : ends_of(piece)) take(std::array{approximation.cloud().nearest(end)});
     });
+    std::vector<std::array<int, dim + 1>> around;
     for (std::size_t k = 0; k < body.cells.size(); ++k) {
-        if (owners.cell[k] != process) continue;
-        part.body.cells.push_back(body.cells[k]);
-        take(body.cells[k]);
-        take(approximation.neighbours_at(centre<dim>(body, body.cells[k])));
+        const auto& cell = body.cells[k];
+        if (owners.cell[k] == process) {
+            part.body.cells.push_back(cell);
+            take(cell);
+            take(approximation.neighbours_at(centre<dim>(body, cell)));
+        } else if (std::any_of(cell.begin(), cell.end(),
+                               [&](int I) { return at(owners.particle, I) == process; })) {
+            around.push_back(cell);
+            take(cell);
+        }
     }
+    part.own_cells = static_cast<Index>(part.body.cells.size());
+    part.body.cells.insert(part.body.cells.end(), around.begin(), around.end());
     for (const Point<dim>& x : places)
         if (at(owners.particle, approximation.cloud().nearest(x)) == process)
             take(approximation.neighbours_at(x));
@@ -145,6 +171,8 @@ Part<dim> part_of(const Body<dim>& body, const Approximation<dim>& approximation
     return part;
 }
 
+template std::vector<bodies::IntegrationPoint<2>> rule_in(const Part<2>&);
+template std::vector<bodies::IntegrationPoint<3>> rule_in(const Part<3>&);
 template Approximation<2> approximation_of(const Part<2>&);
 template Approximation<3> approximation_of(const Part<3>&);
 template std::vector<int> bisected<2>(const particles::Points<2>&, int);

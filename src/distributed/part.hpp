@@ -25,8 +25,10 @@ using bodies::Point;
 template <int dim>
 struct Part {
     /// The particles of the part in the order of their numbers in the whole body, so that sums over neighbours
-    /// have the same order; all sides; and those of the pieces and cells over which this process integrates.
+    /// have the same order; all sides, with the pieces over which this process integrates; and cells: first
+    /// those over which it integrates, then others that touch its own particles.
     Body<dim> body;
+    Index own_cells = 0;           ///< how many are the first
     std::vector<Index> number;     ///< of each particle in the whole body
     std::vector<int> own;          ///< particles of the part whose equations this process makes
     Discretisation how;            ///< with smoothing lengths that are those of the whole body
@@ -36,6 +38,10 @@ struct Part {
 /// The approximation of a part, with the particle volumes of the whole body.
 template <int dim>
 Approximation<dim> approximation_of(const Part<dim>& part);
+
+/// Points in the cells over which a process integrates, bodies::rule_in().
+template <int dim>
+std::vector<bodies::IntegrationPoint<dim>> rule_in(const Part<dim>& part);
 
 /// The process that has each particle, piece and cell of a body.
 struct Owners {

@@ -18,8 +18,12 @@ using Vector = Owned<Vec, VecDestroy>;
 /// The equations of a problem on all processes, each with the rows of its own particles, scaled as by
 /// solvers::scale_rows(): bodies::System in PETSc's matrices.
 struct System {
-    Matrix A, nearest, M;  ///< the second for a solution, the third for eigenvalues
+    Matrix A;
+    Matrix elements;  ///< the equations of linear elements on the same cells, for a solution
+    Matrix M;         ///< for eigenvalues
     Vector b;
+    Vector weights;  ///< what makes the rows of A those of the elements, but for what an element is large
+    std::vector<PetscInt> edge;  ///< own rows of particles with conditions, and of two layers around them
 };
 
 /// \param approximation of the part; none where it has no particles

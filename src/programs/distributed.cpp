@@ -170,16 +170,15 @@ struct Drawn {
     std::vector<int> particle;  ///< of the part
 
     explicit Drawn(const Part<dim>& part) : particle(part.own) {
-        for (const auto& cell : part.body.cells) particle.insert(particle.end(), cell.begin(), cell.end());
+        body.cells.assign(part.body.cells.begin(), part.body.cells.begin() + part.own_cells);
+        for (const auto& cell : body.cells) particle.insert(particle.end(), cell.begin(), cell.end());
         std::sort(particle.begin(), particle.end());
         particle.erase(std::unique(particle.begin(), particle.end()), particle.end());
         body.x = part.body.x(Eigen::all, particle);
-        for (auto cell : part.body.cells) {
+        for (auto& cell : body.cells)
             for (int& I : cell)
                 I = static_cast<int>(std::lower_bound(particle.begin(), particle.end(), I) -
                                      particle.begin());
-            body.cells.push_back(cell);
-        }
     }
 };
 
@@ -291,9 +290,8 @@ class DistributedTable {
         processes_.together([&] {
             if (!solution.part) return;
             at_own = command_line::states(problem, *solution.part, own.x);
-            std::vector<bodies::IntegrationPoint<dim>> volume;
-            if (!part.body.cells.empty()) volume = bodies::rule_in(part.body);
-            sums = bodies::sums(problem, part.body, *solution.part, volume, part.extent.spacing(), part.own);
+            sums = bodies::sums(problem, part.body, *solution.part, distributed::rule_in(part),
+                                part.extent.spacing(), part.own);
         });
         processes_.combine(sums);
         const auto judged = bodies::judgement(problem, sums, part.extent);

@@ -21,7 +21,7 @@ void check_parts(const Grid<dim>& grid, const Discretisation& how, int processes
         const auto part = distributed::part_of(grid, how, processes, process);
         for (const int I : part.own) particles.push_back(part.number[static_cast<std::size_t>(I)]);
         for (const auto& side : part.body.sides) pieces += side.pieces.size();
-        cells += part.body.cells.size();
+        cells += static_cast<std::size_t>(part.own_cells);
         for (Index k = 0; k < part.body.x.cols(); ++k)
             CHECK(part.body.x.col(k) == body.x.col(part.number[static_cast<std::size_t>(k)]));
         support::check_rows_are_those_of(support::heat<dim>(), body, how, part);

@@ -76,7 +76,7 @@ TEST_CASE("part: each particle, piece and cell belongs to one process") {
             CHECK(std::is_sorted(part.number.begin(), part.number.end()));
             for (const int I : part.own) particles.push_back(part.number[static_cast<std::size_t>(I)]);
             for (const auto& side : part.body.sides) pieces += side.pieces.size();
-            cells += part.body.cells.size();
+            cells += static_cast<std::size_t>(part.own_cells);
             for (Index k = 0; k < part.body.x.cols(); ++k)
                 CHECK(part.body.x.col(k) == body.x.col(part.number[static_cast<std::size_t>(k)]));
         }
@@ -120,7 +120,8 @@ TEST_CASE("part: the sums of a solution's judgement over the parts are those ove
             u.segment<2>(2 * k) = solution.u.segment<2>(2 * part.number[static_cast<std::size_t>(k)]);
         const Solution<2, 2> of_part{
             Approximation<2>(Cloud<2>(part.body.x), part.how), conditions(problem, part.body), {}, 0, 0, u};
-        auto of_one = sums(problem, part.body, of_part, rule_in(part.body), extent.spacing(), part.own);
+        auto of_one =
+            sums(problem, part.body, of_part, distributed::rule_in(part), extent.spacing(), part.own);
         std::size_t place = 0;
         most.resize(100, 0);
         added.resize(100, 0);

@@ -65,7 +65,7 @@ TEST_CASE("distributed: a grid has the same table on any number of processes, an
     const std::string few = "--grid 5x4 --equation poisson --source 1 --value 'left: 0'";
     check_same(table_of(on(11) + few), table_of(on(1) + few));
     const std::string cube =
-        "--grid 7x9x7 --lengths 1x1.3x1 --young 1 --poisson 0.3 --fix left --traction 'right: 0.01, 0, 0' --at 0.5,1,0.6";
+        "--grid 7x9x7 --lengths 1x1.3x1 --equation poisson --source 1 --value left:0 --value right:z --at 0.5,1,0.6";
     check_same(table_of(on(4) + cube), table_of(on(1) + cube));
 }
 
