@@ -198,11 +198,12 @@ std::vector<bodies::NamedField> fields(const std::vector<State<dim, n>>& at_part
     if constexpr (n == 1) {
         all.push_back({"q" + suffix, q});
     } else {
+        const State<dim, n> zero{bodies::Values<n>::Zero(), {}, Eigen::Matrix<double, n, dim>::Zero()};
+        const auto names = named(zero, material);
+        for (std::size_t k = n; k < names.size(); ++k)
+            all.push_back({names[k].first + suffix, Eigen::MatrixXd(1, N)});
         for (Index I = 0; I < N; ++I) {
             const auto numbers = named(at_particles[static_cast<std::size_t>(I)], material);
-            if (I == 0)
-                for (std::size_t k = n; k < numbers.size(); ++k)
-                    all.push_back({numbers[k].first + suffix, Eigen::MatrixXd(1, N)});
             for (std::size_t k = n; k < numbers.size(); ++k) all[k - n + 1].values(0, I) = numbers[k].second;
         }
     }

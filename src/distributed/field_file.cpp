@@ -1,5 +1,6 @@
 #include "distributed/field_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/errors.hpp"
@@ -18,6 +19,18 @@ std::string array(const std::string& name, bodies::Index components) {
 }
 
 }  // namespace
+
+template <int dim>
+Drawn<dim>::Drawn(const Part<dim>& part) : particle(part.own) {
+    body.cells.assign(part.body.cells.begin(), part.body.cells.begin() + part.own_cells);
+    for (const auto& cell : body.cells) particle.insert(particle.end(), cell.begin(), cell.end());
+    std::sort(particle.begin(), particle.end());
+    particle.erase(std::unique(particle.begin(), particle.end()), particle.end());
+    body.x = part.body.x(Eigen::all, particle);
+    for (auto& cell : body.cells)
+        for (int& I : cell)
+            I = static_cast<int>(std::lower_bound(particle.begin(), particle.end(), I) - particle.begin());
+}
 
 void check_field_path(const std::string& path) {
     if (!path.ends_with(ending))
@@ -51,6 +64,8 @@ void write_field(const Processes& processes, const std::string& path, const bodi
     });
 }
 
+template struct Drawn<2>;
+template struct Drawn<3>;
 template void write_field(const Processes&, const std::string&, const bodies::Body<2>&,
                           const std::vector<bodies::NamedField>&);
 template void write_field(const Processes&, const std::string&, const bodies::Body<3>&,

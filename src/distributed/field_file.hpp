@@ -4,9 +4,19 @@
 #include <vector>
 
 #include "bodies/field_file.hpp"
+#include "distributed/part.hpp"
 #include "distributed/processes.hpp"
 
 namespace distributed {
+
+/// The own particles of a part, and the corners of its cells, as a body to be drawn.
+template <int dim>
+struct Drawn {
+    Body<dim> body;
+    std::vector<int> particle;  ///< of the part
+
+    explicit Drawn(const Part<dim>& part);
+};
 
 /// \throws base::InvalidInput unless the file's name ends with .pvtu
 void check_field_path(const std::string& path);

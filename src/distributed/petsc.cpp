@@ -3,6 +3,7 @@
 #include <slepcsys.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <sstream>
 
@@ -27,6 +28,26 @@ void require(PetscErrorCode code) {
         MPI_Abort(PETSC_COMM_WORLD, 1);
     }
     throw base::FailedComputation("PETSc: " + why);
+}
+
+std::pair<std::vector<char*>, std::vector<std::string>> divided(int argc, char** argv,
+                                                                const std::vector<std::string>& flags) {
+    std::pair<std::vector<char*>, std::vector<std::string>> found{{argv[0]}, {}};
+    bool needs_value = false, of_petsc = false;
+    for (int k = 1; k < argc; ++k) {
+        const std::string word = argv[k];
+        const bool is_ours = word.starts_with("--");
+        const bool is_name = !needs_value && !is_ours && word.size() > 2 && word[0] == '-' &&
+                             std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+        if (is_name || (of_petsc && !is_ours))
+            found.second.push_back(word);
+        else
+            found.first.push_back(argv[k]);
+        of_petsc = is_name;
+        needs_value = is_ours && word.find('=') == std::string::npos &&
+                      std::find(flags.begin(), flags.end(), word) == flags.end();
+    }
+    return found;
 }
 
 Petsc::Petsc(std::vector<std::string> options) : options_(std::move(options)) {

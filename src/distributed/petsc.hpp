@@ -2,6 +2,7 @@
 
 #include <petscsys.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,12 @@ namespace distributed {
 /// \throws base::FailedComputation in PETSc's words for an error code. What communicates may have failed on
 ///         one process alone: then the others wait for it, and all are ended instead, with one line.
 void require(PetscErrorCode code);
+
+/// The arguments of a program, and those of PETSc: names with one dash, each with one value at most. A word
+/// behind an option of the program that needs a value is its value, such as -pi.
+/// \param flags options of the program, which begin with two dashes, without value
+std::pair<std::vector<char*>, std::vector<std::string>> divided(int argc, char** argv,
+                                                                const std::vector<std::string>& flags);
 
 /// An object of PETSc, destroyed with its owner.
 template <class Object, PetscErrorCode (*destroy)(Object*)>
@@ -32,6 +39,11 @@ class Owned {
   private:
     Object object_ = nullptr;
 };
+
+/// A number as PETSc counts.
+inline PetscInt petsc_int(std::ptrdiff_t number) {
+    return static_cast<PetscInt>(number);
+}
 
 /// PETSc and SLEPc, from the beginning of a program to its end.
 class Petsc {

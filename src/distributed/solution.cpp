@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "bodies/quality.hpp"
+#include "distributed/spectrum.hpp"
 
 namespace distributed {
 

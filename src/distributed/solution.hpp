@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bodies/solution.hpp"
-#include "distributed/system.hpp"
+#include "distributed/linear_solver.hpp"
 
 namespace distributed {
 

@@ -15,17 +15,16 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "bodies/quality.hpp"
 #include "command_line/body_judgement.hpp"
 #include "command_line/body_options.hpp"
 #include "command_line/body_table.hpp"
 #include "command_line/options.hpp"
 #include "command_line/positions.hpp"
 #include "command_line/sweep.hpp"
-#include "distributed/bytes.hpp"
 #include "distributed/field_file.hpp"
 #include "distributed/grid.hpp"
 #include "distributed/solution.hpp"
+#include "distributed/whole.hpp"
 #include "meshes/gmsh.hpp"
 #include "report/file.hpp"
 
@@ -86,114 +85,18 @@ class Terminal {
     bool writes_;
 };
 
-/// A body and its parts: a grid, whose parts each process makes, or a body that the first process has read.
-template <int dim>
-class Whole {
-  public:
-    Whole(const Processes& processes, Grid<dim> grid) : processes_(processes), grid_(grid) {
-        particles_ = distributed::checked_size(grid);
-    }
-    Whole(const Processes& processes, std::unique_ptr<Body<dim>> body)
-        : processes_(processes), body_(std::move(body)) {
-        particles_ = static_cast<Index>(processes.from(0, body_ ? static_cast<double>(body_->x.cols()) : 0));
-    }
-
-    [[nodiscard]] Index particles() const { return particles_; }
-
-    /// A body on which the whole problem can be judged; on other processes than the first, none of a mesh.
-    [[nodiscard]] std::unique_ptr<Body<dim>> small() const {
-        if (!grid_) return body_ ? std::make_unique<Body<dim>>(*body_) : nullptr;
-        Grid<dim> coarse = *grid_;
-        for (Index& count : coarse.count) count = std::min(count, Index{3});
-        return std::make_unique<Body<dim>>(distributed::body_of(coarse));
-    }
-
-    void require_inside(const std::vector<Point<dim>>& places) const {
-        if (const auto body = small()) command_line::require_inside(*body, places);
-    }
-
-    /// The part of this process.
-    [[nodiscard]] Part<dim> part(const Discretisation& how, const std::vector<Point<dim>>& places) {
-        if (grid_) {
-            Part<dim> own;
-            processes_.together(
-                [&] { own = distributed::part_of(*grid_, how, processes_.count(), processes_.rank()); });
-            return own;
-        }
-        std::optional<distributed::Owners> owners;
-        processes_.together([&] {
-            if (!body_) return;
-            Discretisation given = how;
-            particles::Cloud<dim> cloud(body_->x);
-            given.spacing = particles::Spacing(particles::spacing(cloud, how.spacing));
-            approximation_.emplace(std::move(cloud), given);
-            owners = distributed::owners_of(*body_, *approximation_,
-                                            distributed::bisected<dim>(body_->x, processes_.count()));
-        });
-        if (!body_) return distributed::part_from<dim>(processes_.receive(0));
-        for (int process = 1; process < processes_.count(); ++process)
-            processes_.send(distributed::bytes_of(
-                                distributed::part_of(*body_, *approximation_, *owners, process, places)),
-                            process);
-        return distributed::part_of(*body_, *approximation_, *owners, 0, places);
-    }
-
-    /// What part() knows of the whole body: a remark on gaps.
-    void add_gaps(command_line::Particles<dim>& particles) const {
-        if (!approximation_) return;
-        const auto across = bodies::across_gaps(*body_, *approximation_);
-        particles.across = static_cast<Index>(across.size());
-        if (!across.empty()) particles.one = body_->x.col(across.front());
-    }
-
-    /// Where derivatives cannot be trusted, with a remedy that serves all particles of a mesh.
-    template <int n>
-    void require_quality(const Problem<dim, n>& problem, const Discretisation& how) const {
-        if (!approximation_) return;
-        const auto conditions = bodies::conditions(problem, *body_);
-        static_cast<void>(bodies::checked_quality(
-            *body_, *approximation_, bodies::highest_derivatives<dim, n>(conditions, how.method)));
-    }
-
-  private:
-    const Processes& processes_;
-    std::optional<Grid<dim>> grid_;
-    std::unique_ptr<Body<dim>> body_;
-    std::optional<bodies::Approximation<dim>> approximation_;  // of the body
-    Index particles_ = 0;
-};
-
-/// The own particles of a part, and the corners of its cells, as a body to be drawn.
-template <int dim>
-struct Drawn {
-    Body<dim> body;
-    std::vector<int> particle;  ///< of the part
-
-    explicit Drawn(const Part<dim>& part) : particle(part.own) {
-        body.cells.assign(part.body.cells.begin(), part.body.cells.begin() + part.own_cells);
-        for (const auto& cell : body.cells) particle.insert(particle.end(), cell.begin(), cell.end());
-        std::sort(particle.begin(), particle.end());
-        particle.erase(std::unique(particle.begin(), particle.end()), particle.end());
-        body.x = part.body.x(Eigen::all, particle);
-        for (auto& cell : body.cells)
-            for (int& I : cell)
-                I = static_cast<int>(std::lower_bound(particle.begin(), particle.end(), I) -
-                                     particle.begin());
-    }
-};
-
-/// The largest memory that this process has had. [10⁹ bytes]
+/// The largest memory that this process has had. [bytes]
 double memory() {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
-        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024 / 1e9;
+        if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024;
     return 0;
 }
 
 template <int dim, int n>
 class DistributedTable {
   public:
-    DistributedTable(const Processes& processes, const Options& options, Whole<dim>& whole)
+    DistributedTable(const Processes& processes, const Options& options, distributed::Whole<dim>& whole)
         : processes_(processes),
           options_(options),
           whole_(whole),
@@ -202,7 +105,7 @@ class DistributedTable {
                            : command_line::material(options.problem)) {
         processes_.together([&] {
             places_ = command_line::places<dim>(options_);
-            whole_.require_inside(places_);
+            if (const auto body = whole_.small()) command_line::require_inside(*body, places_);
             spacing_ = command_line::spacing_from(options_.smoothing_from);
             command_line::check_lengths(spacing_, options_.smoothing_from, whole_.particles());
             if (const auto body = whole_.small()) {
@@ -254,7 +157,7 @@ class DistributedTable {
         try {
             return options_.modes > 0 ? modes(problem, part, progress) : solved(problem, part, progress);
         } catch (const base::FailedComputation&) {
-            processes_.together([&] { whole_.require_quality(problem, how); });
+            processes_.together([&] { whole_.require_quality(problem); });
             throw;
         }
     }
@@ -300,28 +203,37 @@ class DistributedTable {
         for (Quantity<dim>& most : extremes(problem, own, at_own, solution)) all.push_back(std::move(most));
         all.push_back({"quality", solution.worst, solution.quality, false});
         for (const auto& quantity : command_line::quantities<dim>(judged)) all.push_back(quantity);
-        const auto& [by, preparation, iteration] = solution.report;
-        const double seconds = processes_.largest(solution.assembly + preparation + iteration);
-        if (options_.seconds) all.push_back({"seconds", {}, seconds, false});
+        if (options_.seconds) add_costs(all, solution);
 
         command_line::Particles<dim> particles{solution.quality, solution.worst};
-        whole_.add_gaps(particles);
+        const std::vector<Point<dim>> across = whole_.across_gaps();
+        particles.across = static_cast<Index>(across.size());
+        if (!across.empty()) particles.one = across.front();
         const std::string finer = !options_.grid.empty() ? "more particles"
                                   : options_.size        ? "a smaller --size"
                                                          : "a finer mesh";
-        remarks_.push_back(method + ": " + by);
-        if (options_.seconds)
-            remarks_.push_back(method + ": " + shown(processes_.largest(solution.assembly), 3) +
-                               " s for the equations, " + shown(processes_.largest(preparation), 3) +
-                               " s to prepare the solution, " + shown(processes_.largest(iteration), 3) +
-                               " s for it; memory of the largest process " +
-                               shown(processes_.largest(memory()), 3) + "e9 bytes, of all " +
-                               shown(processes_.sum(memory()), 3) + "e9");
+        remarks_.push_back(method + ": " + solution.report.method);
         for (const auto& remark :
              command_line::remarks(part.how, judged, particles, static_cast<int>(part.how.degree), finer))
             remarks_.push_back(remark);
         if (!options_.field.empty()) add_fields(part, solution, at_own);
         return all;
+    }
+
+    /// Seconds of the slowest process, and the memory of all.
+    void add_costs(std::vector<Quantity<dim>>& all, const distributed::Solved<dim, n>& solution) const {
+        const auto& [by, iterations, preparation, iteration] = solution.report;
+        const auto add = [&](const std::string& name, double number) {
+            all.push_back({name, {}, number, false});
+        };
+        add("seconds", processes_.largest(solution.assembly + preparation + iteration));
+        add("seconds_equations", processes_.largest(solution.assembly));
+        add("seconds_preconditioner", processes_.largest(preparation));
+        add("seconds_iterations", processes_.largest(iteration));
+        add("iterations", iterations);
+        const double bytes = memory();
+        add("memory", processes_.sum(bytes));
+        add("memory_of_largest", processes_.largest(bytes));
     }
 
     /// All numbers at the places; of each, by the process that has the nearest particle.
@@ -382,7 +294,7 @@ class DistributedTable {
         bodies::Column<double> R(static_cast<Index>(part.own.size()));
         for (Index k = 0; k < R.size(); ++k) R[k] = solution.part->R[part.own[static_cast<std::size_t>(k)]];
         const distributed::Numbering numbering(processes_, part, n);
-        const Drawn<dim> drawn(part);
+        const distributed::Drawn<dim> drawn(part);
         for (auto& field : command_line::fields<dim, n>(at_own, R, material_, suffix_)) {
             field.values = numbering.at_all(field.values)(Eigen::all, drawn.particle).eval();
             fields_.push_back(std::move(field));
@@ -410,7 +322,7 @@ class DistributedTable {
 
     const Processes& processes_;
     const Options& options_;
-    Whole<dim>& whole_;
+    distributed::Whole<dim>& whole_;
     Terminal terminal_;
     batra2008::elastostatics::Material material_;
     std::vector<Point<dim>> places_;
@@ -422,7 +334,7 @@ class DistributedTable {
 };
 
 template <int dim>
-report::Table table_of(const Processes& processes, const Options& options, Whole<dim> whole,
+report::Table table_of(const Processes& processes, const Options& options, distributed::Whole<dim> whole,
                        const std::vector<std::string>& notes) {
     command_line::check(options.problem, dim);
     if (command_line::is_scalar(options.problem))
@@ -470,7 +382,8 @@ report::Table table_of(const Processes& processes, Options& options) {
     const bool in_plane = processes.from(0, static_cast<double>(model.body.index())) == 0;
     const auto read = [&]<int dim>() {
         auto* body = processes.is_first() ? &std::get<Body<dim>>(model.body) : nullptr;
-        return Whole<dim>(processes, body ? std::make_unique<Body<dim>>(std::move(*body)) : nullptr);
+        return distributed::Whole<dim>(processes,
+                                       body ? std::make_unique<Body<dim>>(std::move(*body)) : nullptr);
     };
     if (in_plane) return table_of<2>(processes, options, read.operator()<2>(), model.notes);
     return table_of<3>(processes, options, read.operator()<3>(), model.notes);
@@ -520,7 +433,7 @@ void add_options(command_line::CommandLine& app, Options& options) {
     app.add_option("--modes", options.modes, "the K lowest eigenvalues instead; loads count as zero")
         .type_name("K")
         .within(1, 1000);
-    app.add_flag("--seconds", options.seconds, "add seconds and memory");
+    app.add_flag("--seconds", options.seconds, "add seconds, iterations and bytes of memory");
     app.add_option("--field", options.field,
                    "file for the fields, .pvtu for ParaView, with a piece of each process beside it")
         .type_name("FILE");
@@ -528,29 +441,10 @@ void add_options(command_line::CommandLine& app, Options& options) {
     app.add_output(options.output);
 }
 
-/// The arguments of this program, and those of PETSc: names with one dash, and what follows them.
-std::pair<std::vector<char*>, std::vector<std::string>> divided(int argc, char** argv) {
-    std::pair<std::vector<char*>, std::vector<std::string>> found{{argv[0]}, {}};
-    bool of_petsc = false;
-    for (int k = 1; k < argc; ++k) {
-        const std::string word = argv[k];
-        const bool is_name = word.size() > 2 && word[0] == '-' &&
-                             (word[1] == '-' || std::isalpha(static_cast<unsigned char>(word[1])) != 0);
-        if (is_name) of_petsc = word[1] != '-';
-        // PETSc's options have one value at most.
-        if (of_petsc)
-            found.second.push_back(word);
-        else
-            found.first.push_back(argv[k]);
-        if (!is_name) of_petsc = false;
-    }
-    return found;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    auto [own, of_petsc] = divided(argc, argv);
+    auto [own, of_petsc] = distributed::divided(argc, argv, {"--seconds"});
     const distributed::Petsc petsc(of_petsc);
     const Processes processes(PETSC_COMM_WORLD);
     const FirstSpeaks first_speaks(processes);
@@ -565,7 +459,9 @@ int main(int argc, char** argv) {
     return command_line::run(app, static_cast<int>(own.size()), own.data(), [&] {
         check(options);
         processes.together([&] {
-            if (processes.is_first()) report::check_writable(options.output);
+            if (!processes.is_first()) return;
+            report::check_writable(options.output);
+            if (!options.field.empty()) report::check_writable(options.field);
         });
         // Each process has a core of its own.
         omp_set_num_threads(options.threads > 0 ? options.threads : 1);

@@ -62,6 +62,9 @@ TEST_CASE("distributed: a grid has the same table on any number of processes, an
     const std::string command = membrane + "--at 0.3,0.4 --at 1,1 --method fpm,strong";
     const report::Table expected = table_of(on(1) + command);
     for (const int processes : {2, 5}) check_same(table_of(on(processes) + command), expected);
+    const std::string negative = "--grid 9x9 --equation poisson --value 'top: 0' --source ";
+    check_same(table_of(on(2) + negative + "-pi"), table_of(on(1) + negative + "-3.141592653589793"));
+    check_same(table_of(on(2) + negative + "-pi"), table_of(on(1) + negative + "'-acos(-1)'"));
     const std::string few = "--grid 5x4 --equation poisson --source 1 --value 'left: 0'";
     check_same(table_of(on(11) + few), table_of(on(1) + few));
     const std::string cube =
@@ -85,6 +88,19 @@ TEST_CASE("distributed: fields have a piece of each process, and the same number
         CHECK(index.find("<Piece Source=\"" + piece + "\"/>") != std::string::npos);
         CHECK(report::read_whole(folder.path + "/" + piece).find("Name=\"quality\"") != std::string::npos);
     }
+}
+
+TEST_CASE("distributed: a process without particles writes no piece, and waits for none") {
+    const programs::Folder folder;
+    table_of(
+        on(12) +
+        "--grid 3x3 --young 1 --poisson 0.3 --fix left --fix right --method strong --scaling 4 --field " +
+        folder.path + "/u.pvtu");
+    const std::string index = report::read_whole(folder.path + "/u.pvtu");
+    std::size_t pieces = 0;
+    for (std::size_t at = 0; (at = index.find("<Piece", at)) != std::string::npos; ++at) ++pieces;
+    CHECK(pieces > 1);
+    CHECK(pieces <= 9);
 }
 
 TEST_CASE("distributed: PETSc's options reach it, and one that nothing uses is refused") {
@@ -123,6 +139,8 @@ TEST_CASE("distributed: what cannot be done is refused in one line, on many proc
         refused("--grid 9x9 --equation poisson --value top:0 --field u.vtu", 2,
                 "let its name end with .pvtu");
         refused("--grid 9x9 --equation poisson --value top:0 --output /nowhere/t.csv", 1, "/nowhere/t.csv");
+        refused("--grid 9x9 --equation poisson --value top:0 --field /nowhere/u.pvtu", 1, "/nowhere/u.pvtu");
+        refused("--grid 9x9 --equation poisson --value top:0 --modes 41", 2, "has from 1 to 40 modes");
         refused("--grid 9x9 --equation poisson --value top:0 --smoothing 0.3", 1, "fpm: at (");
         refused("--mesh nothing.geo --equation poisson", 2, "nothing.geo");
         refused(

@@ -1,0 +1,223 @@
+#include "distributed/linear_solver.hpp"
+
+#include <petscksp.h>
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "solvers/sparse.hpp"
+
+namespace distributed {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+using Solver = Owned<KSP, KSPDestroy>;
+using Preconditioner = Owned<PC, PCDestroy>;
+
+/// The size, relative to the largest of its row, above which an entry counts as strong for BoomerAMG.
+constexpr const char* strong = "0.25";
+
+/// An approximate inverse of A: a solution by elements, for what varies slowly, and then one of the equations
+/// of A at the edge, which imposes conditions in a way of its own.
+class ByElements {
+  public:
+    ByElements(const System& system, int n) : system_(system) {
+        MPI_Comm communicator = PetscObjectComm(reinterpret_cast<PetscObject>(static_cast<Mat>(system.A)));
+        require(PCCreate(communicator, elements_.made()));
+        require(PCSetOptionsPrefix(elements_, "elements_"));
+        require(PCSetOperators(elements_, system.elements, system.elements));
+        if (n == 1) {
+            require(PCSetType(elements_, PCHYPRE));
+            set_default("-elements_pc_hypre_boomeramg_strong_threshold", strong);
+        } else {
+            require(PCSetType(elements_, PCFIELDSPLIT));
+            require(PCFieldSplitSetBlockSize(elements_, n));
+            for (int k = 0; k < n; ++k) {
+                const std::string field = "-elements_fieldsplit_" + std::to_string(k);
+                set_default(field + "_ksp_type", "preonly");
+                set_default(field + "_pc_type", "hypre");
+                set_default(field + "_pc_hypre_boomeramg_strong_threshold", strong);
+            }
+        }
+        require(PCSetFromOptions(elements_));
+        require(PCSetUp(elements_));
+
+        Owned<IS, ISDestroy> rows;
+        require(ISCreateGeneral(communicator, petsc_int(static_cast<Index>(system.edge.size())),
+                                system.edge.data(), PETSC_COPY_VALUES, rows.made()));
+        require(MatCreateSubMatrix(system.A, rows, rows, MAT_INITIAL_MATRIX, A_edge_.made()));
+        require(MatCreateVecs(A_edge_, x_edge_.made(), rest_edge_.made()));
+        require(VecDuplicate(system.b, rest_.made()));
+        require(VecScatterCreate(rest_, rows, rest_edge_, nullptr, to_edge_.made()));
+        require(PCCreate(communicator, edge_.made()));
+        require(PCSetOptionsPrefix(edge_, "edge_"));
+        require(PCSetOperators(edge_, A_edge_, A_edge_));
+        require(PCSetType(edge_, PCLU));
+        require(PCFactorSetMatSolverType(edge_, MATSOLVERMUMPS));
+        require(PCSetFromOptions(edge_));
+        require(PCSetUp(edge_));
+    }
+
+    void apply(Vec b, Vec x) const {
+        require(VecPointwiseMult(rest_, system_.weights, b));
+        require(PCApply(elements_, rest_, x));
+        require(MatMult(system_.A, x, rest_));
+        require(VecAYPX(rest_, -1, b));
+        require(VecScatterBegin(to_edge_, rest_, rest_edge_, INSERT_VALUES, SCATTER_FORWARD));
+        require(VecScatterEnd(to_edge_, rest_, rest_edge_, INSERT_VALUES, SCATTER_FORWARD));
+        require(PCApply(edge_, rest_edge_, x_edge_));
+        require(VecScatterBegin(to_edge_, x_edge_, x, ADD_VALUES, SCATTER_REVERSE));
+        require(VecScatterEnd(to_edge_, x_edge_, x, ADD_VALUES, SCATTER_REVERSE));
+    }
+
+  private:
+    const System& system_;
+    Preconditioner elements_, edge_;
+    Matrix A_edge_;
+    Vector rest_, rest_edge_, x_edge_;
+    Owned<VecScatter, VecScatterDestroy> to_edge_;
+};
+
+PetscErrorCode apply_by_elements(PC preconditioner, Vec b, Vec x) {
+    void* by_elements = nullptr;
+    PetscCall(PCShellGetContext(preconditioner, &by_elements));
+    static_cast<const ByElements*>(by_elements)->apply(b, x);
+    return 0;
+}
+
+PetscErrorCode monitor(KSP ksp, PetscInt iteration, PetscReal residual, void* context) {
+    auto& [step, first] = *static_cast<std::pair<const std::function<void(int, double)>*, double>*>(context);
+    static_cast<void>(ksp);
+    if (iteration == 0) first = residual;
+    if (*step) (*step)(static_cast<int>(iteration), first > 0 ? residual / first : 0);
+    return 0;
+}
+
+/// \f$\|b - A x\| / (\|A\|\,\|x\| + \|b\|)\f$ with largest sizes: how far the system is from one that x solves.
+double relative_residual(const System& system, Vec x) {
+    Vector residual;
+    require(VecDuplicate(system.b, residual.made()));
+    require(MatMult(system.A, x, residual));
+    require(VecAYPX(residual, -1, system.b));
+    PetscReal left = 0, given = 0, size = 0, largest = 0;
+    require(VecNorm(residual, NORM_INFINITY, &left));
+    require(VecNorm(system.b, NORM_INFINITY, &given));
+    require(MatNorm(system.A, NORM_INFINITY, &size));
+    require(VecNorm(x, NORM_INFINITY, &largest));
+    const double all = size * largest + given;
+    return all == 0 ? 0 : left / all;
+}
+
+/// What was tried: a solution, or why there is none.
+struct Attempt {
+    Vector x;
+    std::string fault;
+};
+
+Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised, Report& report,
+                const std::function<void(int, double)>& step) {
+    MPI_Comm communicator = PetscObjectComm(reinterpret_cast<PetscObject>(static_cast<Mat>(system.A)));
+    auto start = Clock::now();
+    std::optional<ByElements> by_elements;  // outlives the solver
+    Solver solver;
+    PC preconditioning = nullptr;
+    require(KSPCreate(communicator, solver.made()));
+    require(KSPSetOperators(solver, system.A, preconditioner));
+    require(KSPSetType(solver, KSPGMRES));
+    require(KSPGMRESSetRestart(solver, 100));
+    require(KSPSetTolerances(solver, 1e-13, PETSC_DEFAULT, PETSC_DEFAULT, 300));
+    require(KSPGetPC(solver, &preconditioning));
+    if (factorised) {
+        require(PCSetType(preconditioning, PCLU));
+        require(PCFactorSetMatSolverType(preconditioning, MATSOLVERMUMPS));
+    } else {
+        require(PCSetType(preconditioning, PCSHELL));
+        require(PCShellSetName(preconditioning, "linear elements"));
+        require(KSPSetFromOptions(solver));
+        PetscBool is_ours = PETSC_FALSE;
+        require(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioning), PCSHELL, &is_ours));
+        if (is_ours == PETSC_TRUE) {
+            by_elements.emplace(system, n);
+            require(PCShellSetContext(preconditioning, &*by_elements));
+            require(PCShellSetApply(preconditioning, apply_by_elements));
+        }
+    }
+    std::pair<const std::function<void(int, double)>*, double> context{&step, 0};
+    require(KSPMonitorSet(solver, monitor, &context, nullptr));
+
+    Attempt tried;
+    require(VecDuplicate(system.b, tried.x.made()));
+    require(KSPSetUp(solver));
+    require(KSPSetUpOnBlocks(solver));
+    report.preparation += seconds_since(start);
+    start = Clock::now();
+    KSPConvergedReason reason{};
+    PetscInt iterations = 0;
+    double residual = 1;
+    // Where round-off has separated the two residuals, the iteration begins again from the true one.
+    for (int again = 0; again < 3 && !(residual < solvers::largest_residual); ++again) {
+        if (again == 1) {
+            require(KSPSetInitialGuessNonzero(solver, PETSC_TRUE));
+            require(KSPConvergedDefaultSetUIRNorm(solver));
+            require(KSPSetTolerances(solver, 1e-4, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+        }
+        require(KSPSolve(solver, system.b, tried.x));
+        PetscInt more = 0;
+        require(KSPGetConvergedReason(solver, &reason));
+        require(KSPGetIterationNumber(solver, &more));
+        iterations += more;
+        residual = relative_residual(system, tried.x);
+        if (reason < 0) break;
+    }
+    report.iteration += seconds_since(start);
+    KSPType type = nullptr;
+    PCType by = nullptr;
+    require(KSPGetType(solver, &type));
+    require(PCGetType(preconditioning, &by));
+    const std::string preconditioner_name = std::string(by) == PCSHELL ? "linear elements" : by;
+    report.method = std::string(type) + " with " + preconditioner_name +
+                    (factorised ? " (MUMPS) of the whole matrix" : "") + ", " + std::to_string(iterations) +
+                    (iterations == 1 ? " iteration" : " iterations");
+    report.iterations = static_cast<int>(iterations);
+    const char* words = nullptr;
+    require(KSPGetConvergedReasonString(solver, &words));
+    if (!(residual < solvers::largest_residual))
+        tried.fault = report.method + ": " + words + ", relative residual " + base::shown(residual, 2) +
+                      " where " + base::shown(solvers::largest_residual) + " is the most";
+    return tried;
+}
+
+}  // namespace
+
+Eigen::MatrixXd solved(const System& system, int n, Report& report,
+                       const std::function<void(int, double)>& step) {
+    const bool chosen = has_options("-ksp_") || has_options("-pc_");
+    Attempt tried = attempt(system, system.elements, n, false, report, step);
+    if (!tried.fault.empty() && !chosen) {
+        const std::string first = tried.fault;
+        tried = attempt(system, system.A, n, true, report, step);
+        report.method += ", after " + first;
+    }
+    if (!tried.fault.empty())
+        throw base::FailedComputation("the linear system was not solved: " + tried.fault + "; " +
+                                      (chosen ? "leave PETSc's options -ksp_... and -pc_... out"
+                                              : "take another smoothing length or other particles"));
+    PetscInt rows = 0;
+    require(VecGetLocalSize(tried.x, &rows));
+    const double* values = nullptr;
+    require(VecGetArrayRead(tried.x, &values));
+    Eigen::MatrixXd x = Eigen::Map<const Eigen::MatrixXd>(values, n, rows / n);
+    require(VecRestoreArrayRead(tried.x, &values));
+    return x;
+}
+
+}  // namespace distributed

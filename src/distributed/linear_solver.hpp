@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+#include "distributed/system.hpp"
+
+namespace distributed {
+
+/// How a system was solved.
+struct Report {
+    std::string method;  ///< "gmres with linear elements, 25 iterations"
+    int iterations = 0;
+    double preparation = 0, iteration = 0;  ///< seconds
+};
+
+/// Solves \f$A x = b\f$ by GMRES, unless PETSc's options say otherwise. The preconditioner is a solution of
+/// the elements by an algebraic multigrid method, BoomerAMG for each component of the unknowns, and then one
+/// of the equations of A at the edge, factorised by MUMPS, for what is left there; its options begin with
+/// -elements_pc_ and -edge_pc_. Where the iteration fails, and no options were given, MUMPS factorises A.
+/// \param n unknowns of each particle \param[out] report how
+/// \param step is called after each iteration with its number and the residual, relative to the first
+/// \return those of the own particles, a column for each
+/// \throws base::FailedComputation where no method has a residual below solvers::largest_residual, relative
+///         to the largest numbers in A, x and b
+Eigen::MatrixXd solved(const System& system, int n, Report& report,
+                       const std::function<void(int, double)>& step = {});
+
+}  // namespace distributed
