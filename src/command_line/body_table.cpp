@@ -43,7 +43,9 @@ std::string about_numbers(bool is_scalar, int dim, bool are_eigenvalues) {
         return is_scalar
                    ? "eigenvalues of -div(k grad u) + c u = lambda u, all values and loads zero"
                    : "eigenvalues of -div(stress) + c u = lambda u, all values and loads zero: a density rho makes the frequency sqrt(lambda/rho)/(2 pi)";
-    if (is_scalar) return "q1, q2: the flux of heat -k grad u; loads and reactions are heat that enters";
+    if (is_scalar)
+        return std::string(dim == 2 ? "q1, q2" : "q1, q2, q3") +
+               ": the flux of heat -k grad u; loads and reactions are heat that enters";
     return dim == 2 ? "loads and reactions are for each unit of thickness" : "";
 }
 

@@ -102,8 +102,19 @@ PetscErrorCode monitor(KSP ksp, PetscInt iteration, PetscReal residual, void* co
     return 0;
 }
 
-/// \f$\|b - A x\| / (\|A\|\,\|x\| + \|b\|)\f$ with largest sizes: how far the system is from one that x solves.
-double relative_residual(const System& system, Vec x) {
+/// What a residual b − A x is, in largest sizes.
+struct Residual {
+    double of_terms = 1;  ///< over ‖A‖ ‖x‖ + ‖b‖: how far the system is from one that x solves
+    double of_given =
+        1;  ///< over ‖b‖: an estimate of the error of x, which is large where A is nearly singular
+
+    [[nodiscard]] bool is_small() const {
+        constexpr double largest_error = 1e-5;
+        return of_terms < solvers::largest_residual && of_given < largest_error;
+    }
+};
+
+Residual residual_of(const System& system, Vec x) {
     Vector residual;
     require(VecDuplicate(system.b, residual.made()));
     require(MatMult(system.A, x, residual));
@@ -113,8 +124,8 @@ double relative_residual(const System& system, Vec x) {
     require(VecNorm(system.b, NORM_INFINITY, &given));
     require(MatNorm(system.A, NORM_INFINITY, &size));
     require(VecNorm(x, NORM_INFINITY, &largest));
-    const double all = size * largest + given;
-    return all == 0 ? 0 : left / all;
+    if (left == 0) return {0, 0};
+    return {left / (size * largest + given), left / given};
 }
 
 /// What was tried: a solution, or why there is none.
@@ -149,6 +160,8 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
             by_elements.emplace(system, n);
             require(PCShellSetContext(preconditioning, &*by_elements));
             require(PCShellSetApply(preconditioning, apply_by_elements));
+        } else {
+            require(KSPSetOperators(solver, system.A, system.A));
         }
     }
     std::pair<const std::function<void(int, double)>*, double> context{&step, 0};
@@ -162,9 +175,12 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
     start = Clock::now();
     KSPConvergedReason reason{};
     PetscInt iterations = 0;
-    double residual = 1;
+    Residual residual;
+    PetscBool is_direct = PETSC_FALSE;
+    require(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<KSP>(solver)), KSPPREONLY,
+                                   &is_direct));
     // Where round-off has separated the two residuals, the iteration begins again from the true one.
-    for (int again = 0; again < 3 && !(residual < solvers::largest_residual); ++again) {
+    for (int again = 0; again < 3 && !residual.is_small(); ++again) {
         if (again == 1) {
             require(KSPSetInitialGuessNonzero(solver, PETSC_TRUE));
             require(KSPConvergedDefaultSetUIRNorm(solver));
@@ -175,8 +191,8 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
         require(KSPGetConvergedReason(solver, &reason));
         require(KSPGetIterationNumber(solver, &more));
         iterations += more;
-        residual = relative_residual(system, tried.x);
-        if (reason < 0) break;
+        residual = residual_of(system, tried.x);
+        if (reason < 0 || is_direct == PETSC_TRUE) break;
     }
     report.iteration += seconds_since(start);
     KSPType type = nullptr;
@@ -190,9 +206,11 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
     report.iterations = static_cast<int>(iterations);
     const char* words = nullptr;
     require(KSPGetConvergedReasonString(solver, &words));
-    if (!(residual < solvers::largest_residual))
-        tried.fault = report.method + ": " + words + ", relative residual " + base::shown(residual, 2) +
-                      " where " + base::shown(solvers::largest_residual) + " is the most";
+    if (!residual.is_small())
+        tried.fault = report.method + ": " + (reason < 0 ? std::string(words) + ", " : "") +
+                      "relative residual " + base::shown(residual.of_terms, 2) + ", and " +
+                      base::shown(residual.of_given, 2) + " of the right-hand side, where " +
+                      base::shown(solvers::largest_residual) + " and 1e-05 are the most";
     return tried;
 }
 
@@ -200,7 +218,7 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
 
 Eigen::MatrixXd solved(const System& system, int n, Report& report,
                        const std::function<void(int, double)>& step) {
-    const bool chosen = has_options("-ksp_") || has_options("-pc_");
+    const bool chosen = has_options({"-ksp_type", "-pc_type", "-ksp_max_it", "-ksp_rtol", "-ksp_atol"});
     Attempt tried = attempt(system, system.elements, n, false, report, step);
     if (!tried.fault.empty() && !chosen) {
         const std::string first = tried.fault;
@@ -208,9 +226,10 @@ Eigen::MatrixXd solved(const System& system, int n, Report& report,
         report.method += ", after " + first;
     }
     if (!tried.fault.empty())
-        throw base::FailedComputation("the linear system was not solved: " + tried.fault + "; " +
-                                      (chosen ? "leave PETSc's options -ksp_... and -pc_... out"
-                                              : "take another smoothing length or other particles"));
+        throw base::FailedComputation(
+            "the linear system was not solved: " + tried.fault + "; " +
+            (chosen ? "leave PETSc's options -ksp_type, -pc_type, -ksp_max_it and -ksp_rtol out"
+                    : "take another smoothing length or other particles"));
     PetscInt rows = 0;
     require(VecGetLocalSize(tried.x, &rows));
     const double* values = nullptr;

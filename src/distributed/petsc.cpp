@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <iostream>
-#include <sstream>
+#include <thread>
 
 #include "base/errors.hpp"
 
@@ -23,6 +24,10 @@ void require(PetscErrorCode code) {
     if (processes > 1) {
         int rank = 0;
         MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+        for (char& letter : why)
+            if (letter == '\n') letter = ' ';
+        // Where all have failed, the first one speaks and ends the others.
+        if (rank > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
         std::cerr.rdbuf(std::clog.rdbuf());
         std::cerr << "distributed: process " << rank << ": PETSc: " << why << std::endl;
         MPI_Abort(PETSC_COMM_WORLD, 1);
@@ -80,15 +85,12 @@ std::vector<std::string> Petsc::unused() const {
     return names;
 }
 
-bool has_options(const std::string& beginning) {
-    char* all = nullptr;
-    require(PetscOptionsGetAll(nullptr, &all));
-    std::istringstream words(all);
-    PetscFree(all);
-    std::string word;
-    while (words >> word)
-        if (word.starts_with(beginning)) return true;
-    return false;
+bool has_options(const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+        PetscBool is_set = PETSC_FALSE;
+        require(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &is_set));
+        return is_set == PETSC_TRUE;
+    });
 }
 
 void set_default(const std::string& name, const std::string& value) {

@@ -61,8 +61,8 @@ class Petsc {
     std::vector<std::string> options_;
 };
 
-/// Whether the user gave one of PETSc's options whose names begin so.
-bool has_options(const std::string& beginning);
+/// Whether the user gave one of some options of PETSc.
+bool has_options(const std::vector<std::string>& names);
 
 /// Gives an option unless the user did.
 void set_default(const std::string& name, const std::string& value);

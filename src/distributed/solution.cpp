@@ -1,6 +1,10 @@
 #include "distributed/solution.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -20,10 +24,34 @@ struct Own {
     bodies::Quality quality;
 };
 
+/// The conditions of each particle in an order in which the i-th one is about the i-th unknown as far as can be:
+/// preconditioners treat the unknowns one by one.
+template <int dim, int n>
+void align(bodies::Conditions<dim, n>& conditions) {
+    for (auto& here : conditions) {
+        if (here.empty()) continue;
+        std::array<std::size_t, static_cast<std::size_t>(n)> order{}, best{};
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        double most = -1;
+        do {
+            double product = 1;
+            for (std::size_t i = 0; i < order.size(); ++i)
+                product *= std::abs(here[order[i]].direction[static_cast<Index>(i)]);
+            if (product > most) {
+                most = product;
+                best = order;
+            }
+        } while (std::next_permutation(order.begin(), order.end()));
+        const auto before = here;
+        for (std::size_t i = 0; i < best.size(); ++i) here[i] = before[best[i]];
+    }
+}
+
 template <int dim, int n>
 Own<dim, n> own(const Part<dim>& part, const bodies::Problem<dim, n>& problem) {
     Own<dim, n> all;
     all.conditions = bodies::conditions(problem, part.body);
+    align<dim, n>(all.conditions);
     if (part.own.empty()) return all;
     all.approximation.emplace(approximation_of(part));
     const std::vector<int> order = bodies::highest_derivatives<dim, n>(all.conditions, part.how.method);

@@ -210,8 +210,8 @@ class DistributedTable {
         particles.across = static_cast<Index>(across.size());
         if (!across.empty()) particles.one = across.front();
         const std::string finer = !options_.grid.empty() ? "more particles"
-                                  : options_.size        ? "a smaller --size"
-                                                         : "a finer mesh";
+                                  : options_.size        ? "a smaller --size, or body with --method hats"
+                                                         : "a finer mesh, or body with --method hats";
         remarks_.push_back(method + ": " + solution.report.method);
         for (const auto& remark :
              command_line::remarks(part.how, judged, particles, static_cast<int>(part.how.degree), finer))
@@ -437,7 +437,9 @@ void add_options(command_line::CommandLine& app, Options& options) {
     app.add_option("--field", options.field,
                    "file for the fields, .pvtu for ParaView, with a piece of each process beside it")
         .type_name("FILE");
-    app.add_threads(options.threads);
+    app.add_option("--threads", options.threads, "threads of each process (default 1)")
+        .type_name("N")
+        .within(1, 1024);
     app.add_output(options.output);
 }
 
@@ -453,7 +455,7 @@ int main(int argc, char** argv) {
         "distributed",
         "PETSc's options have one dash: -ksp_rtol 1e-10, -ksp_monitor, -pc_type asm, -log_view.\n"
         "Example: mpirun -n 4 distributed --grid 1001x1001 --equation poisson --source 1 --value \"left: 0\" --at 0.5,0.5\n"
-        "Another: mpirun -n 4 distributed --mesh bracket.geo --size 1e-3 --young 210e9 --poisson 0.3 --fix wall --traction \"tip: 0, -1e6\" --field bracket.pvtu");
+        "Another: mpirun -n 4 distributed --mesh strip.geo --size 1e-3 --young 210e9 --poisson 0.3 --symmetry middle --symmetry neck --traction \"end: 1e6, 0\" --field strip.pvtu");
     Options options;
     add_options(app, options);
     return command_line::run(app, static_cast<int>(own.size()), own.data(), [&] {

@@ -72,6 +72,17 @@ TEST_CASE("distributed: a grid has the same table on any number of processes, an
     check_same(table_of(on(4) + cube), table_of(on(1) + cube));
 }
 
+TEST_CASE("distributed: planes of symmetry need no factorisation of the whole matrix") {
+    for (
+        const std::string command :
+        {"--grid 31x31 --young 1 --poisson 0.3 --symmetry left --symmetry bottom --traction 'right: 1, 0' --at 1,1",
+         "--grid 9x9x9 --young 1 --poisson 0.3 --symmetry left --symmetry bottom --symmetry back --traction 'right: 1, 0, 0' --at 1,1,1"}) {
+        const auto table = table_of(on(2) + command);
+        CHECK(number(table, 0, "value") == support::relative(1.0, 1e-8));
+        for (const std::string& comment : table.comments) CHECK(comment.find("MUMPS") == std::string::npos);
+    }
+}
+
 TEST_CASE("distributed: modes are those of body") {
     const std::string command =
         "--mesh examples/bodies/strip.geo --size 6e-3 --equation poisson --value 'end: 0' --modes 3 --method strong";
@@ -142,6 +153,9 @@ TEST_CASE("distributed: what cannot be done is refused in one line, on many proc
         refused("--grid 9x9 --equation poisson --value top:0 --field /nowhere/u.pvtu", 1, "/nowhere/u.pvtu");
         refused("--grid 9x9 --equation poisson --value top:0 --modes 41", 2, "has from 1 to 40 modes");
         refused("--grid 9x9 --equation poisson --value top:0 --smoothing 0.3", 1, "fpm: at (");
+        refused(
+            "--grid 11x11 --lengths 1e-6x1e-6 --equation poisson --conductivity 1e9 --convection 'left: 1,20' --flux 'right: 1'",
+            1, "the linear system was not solved");
         refused("--mesh nothing.geo --equation poisson", 2, "nothing.geo");
         refused(
             "--mesh examples/bodies/bracket.geo --size 4e-3 --young 1 --poisson 0.3 --fix wall --smoothing 0.4",
