@@ -470,7 +470,7 @@ int main(int argc, char** argv) {
         const report::Table table = table_of(processes, options);
         if (const auto unused = petsc.unused(); !unused.empty())
             throw InvalidInput("nothing used PETSc's option " + unused.front() +
-                               "; options of this program have two dashes, see distributed --help");
+                               "; options of this program begin with two dashes");
         processes.together([&] {
             if (processes.is_first()) report::write_whole(options.output, report::csv(table));
         });
