@@ -161,7 +161,7 @@ Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
         throw base::FailedComputation(
             "fpm: at " + particles::shown_point(x) + " there are " + std::to_string(near.size()) +
             " particles within " + particles::shown(cut<dim> * h_[I]) + ", and " + error.what() + "; " +
-            smoothing_that_determines(*this) + "take more particles, by a smaller --size, or other ones");
+            smoothing_that_determines(*this) + "take more particles or other ones");
     }
 }
 

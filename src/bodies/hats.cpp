@@ -207,14 +207,9 @@ typename Hats<dim, n>::Equations Hats<dim, n>::equations(Index I, const std::vec
 }
 
 template <int dim, int n>
-System Hats<dim, n>::system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted,
+System Hats<dim, n>::system(const Trial& trial, const Conditions<dim, n>& conditions, Wanted wanted,
                             const std::vector<int>& rows) const {
     const auto N = static_cast<Index>(rows.size());
-    std::vector<Weights<dim>> on_cell(body_.cells.size());
-    base::for_each_index(static_cast<Index>(on_cell.size()), [&](Index c) {
-        on_cell[static_cast<std::size_t>(c)] = trial.on_cell(static_cast<int>(c));
-    });
-    trial.on_cell = [&](int c) { return on_cell[static_cast<std::size_t>(c)]; };
     std::vector<std::vector<int>> all_near(static_cast<std::size_t>(N));
     base::for_each_index(N, [&](Index place) {
         const auto k = static_cast<std::size_t>(place);
@@ -255,7 +250,13 @@ template <int dim, int n>
 System Hats<dim, n>::system(const Conditions<dim, n>& conditions, Wanted wanted) const {
     std::vector<int> rows(static_cast<std::size_t>(body_.x.cols()));
     std::iota(rows.begin(), rows.end(), 0);
-    System all = system(of_particles(), conditions, wanted, rows);
+    Trial trial = of_particles();
+    std::vector<Weights<dim>> on_cell(body_.cells.size());
+    base::for_each_index(static_cast<Index>(on_cell.size()), [&](Index c) {
+        on_cell[static_cast<std::size_t>(c)] = trial.on_cell(static_cast<int>(c));
+    });
+    trial.on_cell = [&](int c) { return on_cell[static_cast<std::size_t>(c)]; };
+    System all = system(trial, conditions, wanted, rows);
     if (n * body_.x.cols() > solvers::small_system) all.nearest = elements(conditions, rows);
     return all;
 }

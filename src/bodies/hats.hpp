@@ -64,7 +64,7 @@ class Hats {
     [[nodiscard]] Trial linear() const;
     [[nodiscard]] std::vector<int> near(Index I, const Trial& trial) const;
     [[nodiscard]] Equations equations(Index I, const std::vector<int>& near, const Trial& trial) const;
-    [[nodiscard]] System system(Trial trial, const Conditions<dim, n>& conditions, Wanted wanted,
+    [[nodiscard]] System system(const Trial& trial, const Conditions<dim, n>& conditions, Wanted wanted,
                                 const std::vector<int>& rows) const;
 
     const Problem<dim, n>& problem_;

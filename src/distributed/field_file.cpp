@@ -38,15 +38,17 @@ void check_field_path(const std::string& path) {
                                  " is no file for a field of many processes; let its name end with .pvtu");
 }
 
+std::string piece_of(const std::string& path, int process) {
+    return path.substr(0, path.size() - ending.size()) + "_" + std::to_string(process) + ".vtu";
+}
+
 template <int dim>
 void write_field(const Processes& processes, const std::string& path, const bodies::Body<dim>& body,
                  const std::vector<bodies::NamedField>& fields) {
     check_field_path(path);
-    const std::string stem = path.substr(0, path.size() - ending.size());
-    const auto piece = [&](int rank) { return stem + "_" + std::to_string(rank) + ".vtu"; };
     const bool draws = body.x.cols() > 0;
     processes.together([&] {
-        if (draws) bodies::write_field(piece(processes.rank()), body, fields);
+        if (draws) bodies::write_field(piece_of(path, processes.rank()), body, fields);
     });
     const std::vector<double> all = processes.gathered({draws ? 1.0 : 0.0});
     processes.together([&] {
@@ -58,8 +60,8 @@ void write_field(const Processes& processes, const std::string& path, const bodi
         text += "</PPointData>\n";
         for (int rank = 0; rank < processes.count(); ++rank)
             if (all[static_cast<std::size_t>(rank)] != 0)
-                text +=
-                    "<Piece Source=\"" + std::filesystem::path(piece(rank)).filename().string() + "\"/>\n";
+                text += "<Piece Source=\"" + std::filesystem::path(piece_of(path, rank)).filename().string() +
+                        "\"/>\n";
         report::write_whole(path, text + "</PUnstructuredGrid>\n</VTKFile>\n");
     });
 }

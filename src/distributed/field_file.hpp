@@ -21,8 +21,11 @@ struct Drawn {
 /// \throws base::InvalidInput unless the file's name ends with .pvtu
 void check_field_path(const std::string& path);
 
-/// Writes fields for ParaView: each process a file of its own, FILE_0.vtu and so on, the first one FILE.pvtu,
-/// which names them, when all are complete.
+/// The file of a process beside the index: FILE_0.vtu and so on.
+std::string piece_of(const std::string& path, int process);
+
+/// Writes fields for ParaView: each process piece_of(), the first one the index, which names them, when all
+/// are complete.
 /// \param body what this process draws; nothing where it has no particles
 /// \param fields at the particles of the body; on each process with the same names
 template <int dim>

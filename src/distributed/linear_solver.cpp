@@ -48,7 +48,7 @@ class ByElements {
                 set_default(field + "_pc_hypre_boomeramg_strong_threshold", strong);
             }
         }
-        require(PCSetFromOptions(elements_));
+        require_options(PCSetFromOptions(elements_));
         require(PCSetUp(elements_));
 
         Owned<IS, ISDestroy> rows;
@@ -63,7 +63,7 @@ class ByElements {
         require(PCSetOperators(edge_, A_edge_, A_edge_));
         require(PCSetType(edge_, PCLU));
         require(PCFactorSetMatSolverType(edge_, MATSOLVERMUMPS));
-        require(PCSetFromOptions(edge_));
+        require_options(PCSetFromOptions(edge_));
         require(PCSetUp(edge_));
     }
 
@@ -153,7 +153,7 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
     } else {
         require(PCSetType(preconditioning, PCSHELL));
         require(PCShellSetName(preconditioning, "linear elements"));
-        require(KSPSetFromOptions(solver));
+        require_options(KSPSetFromOptions(solver));
         PetscBool is_ours = PETSC_FALSE;
         require(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioning), PCSHELL, &is_ours));
         if (is_ours == PETSC_TRUE) {

@@ -12,27 +12,47 @@
 
 namespace distributed {
 
-void require(PetscErrorCode code) {
-    if (code == 0) return;
+namespace {
+
+/// What PETSc says of an error.
+std::string words_of(PetscErrorCode code) {
     const char* text = nullptr;
     char* specific = nullptr;
     PetscErrorMessage(code, &text, &specific);
     std::string why = text != nullptr ? text : "error " + std::to_string(code);
     if (specific != nullptr && *specific != '\0') why += std::string(": ") + specific;
-    int processes = 1;
+    for (char& letter : why)
+        if (letter == '\n') letter = ' ';
+    return "PETSc: " + why;
+}
+
+/// Ends all processes, if there are several, with one line.
+void end_all(const std::string& why, int exit_code) {
+    int processes = 1, rank = 0;
     MPI_Comm_size(PETSC_COMM_WORLD, &processes);
-    if (processes > 1) {
-        int rank = 0;
-        MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-        for (char& letter : why)
-            if (letter == '\n') letter = ' ';
-        // Where all have failed, the first one speaks and ends the others.
-        if (rank > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
-        std::cerr.rdbuf(std::clog.rdbuf());
-        std::cerr << "distributed: process " << rank << ": PETSc: " << why << std::endl;
-        MPI_Abort(PETSC_COMM_WORLD, 1);
-    }
-    throw base::FailedComputation("PETSc: " + why);
+    if (processes == 1) return;
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+    // Where all have failed, the first one speaks and ends the others.
+    if (rank > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
+    std::cerr.rdbuf(std::clog.rdbuf());
+    std::cerr << "distributed: process " << rank << ": " << why << std::endl;
+    MPI_Abort(PETSC_COMM_WORLD, exit_code);
+}
+
+}  // namespace
+
+void require(PetscErrorCode code) {
+    if (code == 0) return;
+    const std::string why = words_of(code);
+    end_all(why, 1);
+    throw base::FailedComputation(why);
+}
+
+void require_options(PetscErrorCode code) {
+    if (code == 0) return;
+    const std::string why = words_of(code);
+    end_all(why, 2);
+    throw base::InvalidInput(why);
 }
 
 std::pair<std::vector<char*>, std::vector<std::string>> divided(int argc, char** argv,
@@ -72,17 +92,17 @@ Petsc::~Petsc() {
     SlepcFinalize();
 }
 
-std::vector<std::string> Petsc::unused() const {
-    std::vector<std::string> names;
+void Petsc::require_used() const {
     for (const std::string& option : options_) {
         if (option.size() < 2 || option[0] != '-' ||
             (std::isalpha(static_cast<unsigned char>(option[1])) == 0))
             continue;
         PetscBool used = PETSC_FALSE;
         PetscOptionsUsed(nullptr, option.c_str() + 1, &used);  // its name without the dash
-        if (used == PETSC_FALSE) names.push_back(option);
+        if (used == PETSC_FALSE)
+            throw base::InvalidInput("nothing used PETSc's option " + option +
+                                     "; options of this program begin with two dashes");
     }
-    return names;
 }
 
 bool has_options(const std::vector<std::string>& names) {

@@ -13,6 +13,10 @@ namespace distributed {
 ///         one process alone: then the others wait for it, and all are ended instead, with one line.
 void require(PetscErrorCode code);
 
+/// The same for what reads the user's options of PETSc.
+/// \throws base::InvalidInput in PETSc's words
+void require_options(PetscErrorCode code);
+
 /// The arguments of a program, and those of PETSc: names with one dash, each with one value at most. A word
 /// behind an option of the program that needs a value is its value, such as -pi.
 /// \param flags options of the program, which begin with two dashes, without value
@@ -54,8 +58,8 @@ class Petsc {
     Petsc& operator=(const Petsc&) = delete;
     ~Petsc();
 
-    /// Options that nothing has asked for, such as misspelt ones.
-    [[nodiscard]] std::vector<std::string> unused() const;
+    /// \throws base::InvalidInput with an option that nothing has asked for, such as a misspelt one
+    void require_used() const;
 
   private:
     std::vector<std::string> options_;

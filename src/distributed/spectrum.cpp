@@ -32,7 +32,7 @@ std::vector<std::complex<double>> smallest_eigenvalues(const System& system, Ind
     require(KSPGetPC(inverse, &factors));
     require(PCSetType(factors, PCLU));
     require(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS));
-    require(EPSSetFromOptions(solver));
+    require_options(EPSSetFromOptions(solver));
     require(EPSSolve(solver));
     PetscInt found = 0;
     require(EPSGetConverged(solver, &found));

@@ -14,12 +14,24 @@ namespace distributed {
 namespace {
 
 using solvers::SparseRows;
+
 /// The place in PETSc's vectors of each of a matrix's columns.
 std::vector<PetscInt> places_of_columns(const Numbering& numbering, int n) {
     std::vector<PetscInt> all;
     for (const PetscInt place : numbering.places())
         for (int k = 0; k < n; ++k) all.push_back(n * place + k);
     return all;
+}
+
+/// A matrix with n rows for each particle, without room for entries.
+Matrix without_entries(const Numbering& numbering, int n) {
+    const PetscInt rows = n * numbering.count_of_own();
+    Matrix A;
+    require(MatCreate(numbering.processes().communicator(), A.made()));
+    require(MatSetSizes(A, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
+    require(MatSetType(A, MATAIJ));
+    require(MatSetBlockSize(A, n));
+    return A;
 }
 
 /// A matrix without entries, with room for exactly those to come.
@@ -36,12 +48,7 @@ Matrix matrix_for(const Numbering& numbering, int n, const std::vector<std::vect
                 n * (petsc_int(static_cast<Index>(near[k].size())) - within);
         }
     }
-    const PetscInt rows = n * numbering.count_of_own();
-    Matrix A;
-    require(MatCreate(numbering.processes().communicator(), A.made()));
-    require(MatSetSizes(A, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
-    require(MatSetType(A, MATAIJ));
-    require(MatSetBlockSize(A, n));
+    Matrix A = without_entries(numbering, n);
     require(MatSeqAIJSetPreallocation(A, 0, own.data()));
     require(MatMPIAIJSetPreallocation(A, 0, own.data(), 0, others.data()));
     require(MatSetOption(A, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_TRUE));
@@ -78,12 +85,7 @@ struct Rows {
     }
 
     [[nodiscard]] Matrix matrix(const Numbering& numbering, int n) const {
-        const PetscInt rows = n * numbering.count_of_own();
-        Matrix A;
-        require(MatCreate(numbering.processes().communicator(), A.made()));
-        require(MatSetSizes(A, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
-        require(MatSetType(A, MATAIJ));
-        require(MatSetBlockSize(A, n));
+        Matrix A = without_entries(numbering, n);
         require(MatSeqAIJSetPreallocationCSR(A, first.data(), column.data(), value.data()));
         require(MatMPIAIJSetPreallocationCSR(A, first.data(), column.data(), value.data()));
         return A;

@@ -96,8 +96,10 @@ double memory() {
 template <int dim, int n>
 class DistributedTable {
   public:
-    DistributedTable(const Processes& processes, const Options& options, distributed::Whole<dim>& whole)
-        : processes_(processes),
+    DistributedTable(const distributed::Petsc& petsc, const Processes& processes, const Options& options,
+                     distributed::Whole<dim>& whole)
+        : petsc_(petsc),
+          processes_(processes),
           options_(options),
           whole_(whole),
           terminal_(processes.is_first()),
@@ -130,8 +132,9 @@ class DistributedTable {
                 return rows;
             });
         }
-        if (!fields_.empty()) distributed::write_field(processes_, options_.field, drawn_, fields_);
         sweep.finish();
+        if (table.incomplete.empty()) petsc_.require_used();
+        if (!fields_.empty()) distributed::write_field(processes_, options_.field, drawn_, fields_);
         table.comments = comments();
         table.comments.insert(table.comments.end(), notes.begin(), notes.end());
         table.comments.insert(table.comments.end(), remarks_.begin(), remarks_.end());
@@ -320,6 +323,7 @@ class DistributedTable {
         return all;
     }
 
+    const distributed::Petsc& petsc_;
     const Processes& processes_;
     const Options& options_;
     distributed::Whole<dim>& whole_;
@@ -334,12 +338,12 @@ class DistributedTable {
 };
 
 template <int dim>
-report::Table table_of(const Processes& processes, const Options& options, distributed::Whole<dim> whole,
-                       const std::vector<std::string>& notes) {
+report::Table table_of(const distributed::Petsc& petsc, const Processes& processes, const Options& options,
+                       distributed::Whole<dim> whole, const std::vector<std::string>& notes) {
     command_line::check(options.problem, dim);
     if (command_line::is_scalar(options.problem))
-        return DistributedTable<dim, 1>(processes, options, whole).table(notes);
-    return DistributedTable<dim, dim>(processes, options, whole).table(notes);
+        return DistributedTable<dim, 1>(petsc, processes, options, whole).table(notes);
+    return DistributedTable<dim, dim>(petsc, processes, options, whole).table(notes);
 }
 
 /// The numbers of a text such as 101x51.
@@ -367,13 +371,13 @@ Grid<dim> grid(const Options& options, const std::vector<std::string>& counts) {
     return found;
 }
 
-report::Table table_of(const Processes& processes, Options& options) {
+report::Table table_of(const distributed::Petsc& petsc, const Processes& processes, Options& options) {
     if (!options.grid.empty()) {
         const auto counts = sizes("--grid", options.grid, "101x51");
         if (options.lengths.empty()) options.lengths = counts.size() == 2 ? "1x1" : "1x1x1";
         if (counts.size() == 2)
-            return table_of<2>(processes, options, {processes, grid<2>(options, counts)}, {});
-        return table_of<3>(processes, options, {processes, grid<3>(options, counts)}, {});
+            return table_of<2>(petsc, processes, options, {processes, grid<2>(options, counts)}, {});
+        return table_of<3>(petsc, processes, options, {processes, grid<3>(options, counts)}, {});
     }
     meshes::Model model;
     processes.together([&] {
@@ -385,12 +389,12 @@ report::Table table_of(const Processes& processes, Options& options) {
         return distributed::Whole<dim>(processes,
                                        body ? std::make_unique<Body<dim>>(std::move(*body)) : nullptr);
     };
-    if (in_plane) return table_of<2>(processes, options, read.operator()<2>(), model.notes);
-    return table_of<3>(processes, options, read.operator()<3>(), model.notes);
+    if (in_plane) return table_of<2>(petsc, processes, options, read.operator()<2>(), model.notes);
+    return table_of<3>(petsc, processes, options, read.operator()<3>(), model.notes);
 }
 
 /// Refuses options that need, exclude or overwrite one another; names the methods.
-void check(Options& options) {
+void check(Options& options, int processes) {
     if (options.mesh.empty() == options.grid.empty())
         throw InvalidInput(options.mesh.empty() ? "there is no body; give --mesh FILE, or --grid 101x51"
                                                 : "--mesh and --grid are two bodies; leave one out");
@@ -407,8 +411,13 @@ void check(Options& options) {
     if (options.modes > 0 && !options.places.empty()) throw InvalidInput(options.places.front().option + why);
     if (options.modes > 0 && options.seconds) throw InvalidInput("--seconds" + why);
     if (options.modes > 0 && !options.field.empty()) throw InvalidInput("--field" + why);
-    command_line::check_apart(
-        {{"--output", options.output}, {"--field", options.field}, {"--mesh", options.mesh}});
+    const auto check_apart = [&](const std::string& field) {
+        command_line::check_apart(
+            {{"--output", options.output}, {"--field", field}, {"--mesh", options.mesh}});
+    };
+    check_apart(options.field);
+    for (int process = 0; process < processes && !options.field.empty(); ++process)
+        check_apart(distributed::piece_of(options.field, process));
 }
 
 void add_options(command_line::CommandLine& app, Options& options) {
@@ -459,7 +468,7 @@ int main(int argc, char** argv) {
     Options options;
     add_options(app, options);
     return command_line::run(app, static_cast<int>(own.size()), own.data(), [&] {
-        check(options);
+        check(options, processes.count());
         processes.together([&] {
             if (!processes.is_first()) return;
             report::check_writable(options.output);
@@ -467,10 +476,7 @@ int main(int argc, char** argv) {
         });
         // Each process has a core of its own.
         omp_set_num_threads(options.threads > 0 ? options.threads : 1);
-        const report::Table table = table_of(processes, options);
-        if (const auto unused = petsc.unused(); !unused.empty())
-            throw InvalidInput("nothing used PETSc's option " + unused.front() +
-                               "; options of this program begin with two dashes");
+        const report::Table table = table_of(petsc, processes, options);
         processes.together([&] {
             if (processes.is_first()) report::write_whole(options.output, report::csv(table));
         });

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/distributed/rows.hpp"
+#include "tests/distributed/parts.hpp"
 
 using namespace bodies;
 using distributed::Grid;
@@ -15,24 +15,11 @@ namespace {
 template <int dim>
 void check_parts(const Grid<dim>& grid, const Discretisation& how, int processes) {
     const Body<dim> body = distributed::body_of(grid);
-    std::vector<Index> particles;
-    std::size_t pieces = 0, cells = 0;
-    for (int process = 0; process < processes; ++process) {
-        const auto part = distributed::part_of(grid, how, processes, process);
-        for (const int I : part.own) particles.push_back(part.number[static_cast<std::size_t>(I)]);
-        for (const auto& side : part.body.sides) pieces += side.pieces.size();
-        cells += static_cast<std::size_t>(part.own_cells);
-        for (Index k = 0; k < part.body.x.cols(); ++k)
-            CHECK(part.body.x.col(k) == body.x.col(part.number[static_cast<std::size_t>(k)]));
-        support::check_rows_are_those_of(support::heat<dim>(), body, how, part);
-    }
-    std::sort(particles.begin(), particles.end());
-    CHECK(static_cast<Index>(particles.size()) == body.x.cols());
-    CHECK(std::adjacent_find(particles.begin(), particles.end()) == particles.end());
-    std::size_t all_pieces = 0;
-    for (const auto& side : body.sides) all_pieces += side.pieces.size();
-    CHECK(pieces == all_pieces);
-    CHECK(cells == body.cells.size());
+    std::vector<distributed::Part<dim>> parts;
+    for (int process = 0; process < processes; ++process)
+        parts.push_back(distributed::part_of(grid, how, processes, process));
+    support::check_parts_are_of(body, parts);
+    for (const auto& part : parts) support::check_rows_are_those_of(support::heat<dim>(), body, how, part);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "distributed/bytes.hpp"
-#include "tests/distributed/rows.hpp"
+#include "tests/distributed/parts.hpp"
 
 using namespace bodies;
 using distributed::Part;
@@ -69,25 +69,8 @@ TEST_CASE("part: of three particles on five processes two have none") {
 
 TEST_CASE("part: each particle, piece and cell belongs to one process") {
     const Body<2> body = support::angle(4, 0.3, 1);
-    for (const auto& owner : {distributed::bisected<2>(body.x, 3), scattered(body.x.cols(), 3)}) {
-        std::vector<Index> particles;
-        std::size_t pieces = 0, cells = 0;
-        for (const auto& part : parts_of(body, by(Method::fpm), owner, 3)) {
-            CHECK(std::is_sorted(part.number.begin(), part.number.end()));
-            for (const int I : part.own) particles.push_back(part.number[static_cast<std::size_t>(I)]);
-            for (const auto& side : part.body.sides) pieces += side.pieces.size();
-            cells += static_cast<std::size_t>(part.own_cells);
-            for (Index k = 0; k < part.body.x.cols(); ++k)
-                CHECK(part.body.x.col(k) == body.x.col(part.number[static_cast<std::size_t>(k)]));
-        }
-        std::sort(particles.begin(), particles.end());
-        CHECK(static_cast<Index>(particles.size()) == body.x.cols());
-        CHECK(std::adjacent_find(particles.begin(), particles.end()) == particles.end());
-        std::size_t all_pieces = 0;
-        for (const auto& side : body.sides) all_pieces += side.pieces.size();
-        CHECK(pieces == all_pieces);
-        CHECK(cells == body.cells.size());
-    }
+    for (const auto& owner : {distributed::bisected<2>(body.x, 3), scattered(body.x.cols(), 3)})
+        support::check_parts_are_of(body, parts_of(body, by(Method::fpm), owner, 3));
 }
 
 TEST_CASE("part: its equations are those of the whole body to the last bit") {

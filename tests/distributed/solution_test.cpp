@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "distributed/grid.hpp"
-#include "tests/distributed/rows.hpp"
+#include "tests/distributed/parts.hpp"
 #include "tests/distributed/world.hpp"
 #include "tests/relative.hpp"
 #include "tests/remedies.hpp"

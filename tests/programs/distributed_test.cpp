@@ -123,6 +123,13 @@ TEST_CASE("distributed: PETSc's options reach it, and one that nothing uses is r
     CHECK(
         check_refused("distributed " + membrane + "-ksp_tpye cg", 2, "nothing used PETSc's option -ksp_tpye")
             .find("two dashes") != std::string::npos);
+    const programs::Folder folder;
+    check_refused("distributed " + membrane + "-ksp_tpye cg --field " + folder.path + "/u.pvtu", 2,
+                  "-ksp_tpye");
+    CHECK(std::filesystem::is_empty(folder.path));
+    check_refused("distributed " + membrane + "-ksp_tpye cg --smoothing 0.3", 1, "fpm: at (");
+    for (const std::string prefix : {"", "mpirun --quiet -n 2 "})
+        check_refused("distributed " + membrane + "-pc_type nothing", 2, "PETSc: ", prefix);
     check_refused("distributed " + membrane + "-ksp_max_it 2 -pc_type none", 1,
                   "the linear system was not solved: gmres with none, 2 iterations");
 }
@@ -149,6 +156,8 @@ TEST_CASE("distributed: what cannot be done is refused in one line, on many proc
         refused("--grid 9x9 --equation poisson --value 'top: 1/x'", 2, "(0, 1)");
         refused("--grid 9x9 --equation poisson --value top:0 --field u.vtu", 2,
                 "let its name end with .pvtu");
+        refused("--grid 9x9 --equation poisson --value top:0 --field u.pvtu --output u_0.vtu", 2,
+                "--output and --field name the same file, u_0.vtu");
         refused("--grid 9x9 --equation poisson --value top:0 --output /nowhere/t.csv", 1, "/nowhere/t.csv");
         refused("--grid 9x9 --equation poisson --value top:0 --field /nowhere/u.pvtu", 1, "/nowhere/u.pvtu");
         refused("--grid 9x9 --equation poisson --value top:0 --modes 41", 2, "has from 1 to 40 modes");

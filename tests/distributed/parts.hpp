@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -42,6 +43,27 @@ void check_rows_are_those_of(const bodies::Problem<dim, n>& problem, const bodie
     CHECK(stored(found.A, part.number, n) == stored(expected.A, all, n));
     CHECK(stored(found.M, part.number, n) == stored(expected.M, all, n));
     CHECK((found.b.array() == expected.b.array()).all());
+}
+
+/// Each particle, piece and cell of a body belongs to one part.
+template <int dim>
+void check_parts_are_of(const bodies::Body<dim>& body, const std::vector<distributed::Part<dim>>& parts) {
+    std::vector<bodies::Index> own;
+    std::size_t pieces = 0, cells = 0, all_pieces = 0;
+    for (const auto& part : parts) {
+        CHECK(std::is_sorted(part.number.begin(), part.number.end()));
+        for (const int I : part.own) own.push_back(part.number[static_cast<std::size_t>(I)]);
+        for (const auto& side : part.body.sides) pieces += side.pieces.size();
+        cells += static_cast<std::size_t>(part.own_cells);
+        for (bodies::Index k = 0; k < part.body.x.cols(); ++k)
+            CHECK(part.body.x.col(k) == body.x.col(part.number[static_cast<std::size_t>(k)]));
+    }
+    std::sort(own.begin(), own.end());
+    CHECK(static_cast<bodies::Index>(own.size()) == body.x.cols());
+    CHECK(std::adjacent_find(own.begin(), own.end()) == own.end());
+    for (const auto& side : body.sides) all_pieces += side.pieces.size();
+    CHECK(pieces == all_pieces);
+    CHECK(cells == body.cells.size());
 }
 
 /// Poisson's equation with a varying conductivity, values on the left and fluxes elsewhere.
