@@ -26,8 +26,9 @@ using Preconditioner = Owned<PC, PCDestroy>;
 /// The size, relative to the largest of its row, above which an entry counts as strong for BoomerAMG.
 constexpr const char* strong = "0.25";
 
-/// An approximate inverse of A: a solution by elements, for what varies slowly, and then one of the equations
-/// of A at the edge, which imposes conditions in a way of its own.
+/// An approximate inverse of A: the equations of A at the edge, where conditions are imposed in a way of its
+/// own, and then elements for what is left, which varies slowly. In the other order the elements would bend a
+/// slender body by what they do not know of its edge.
 class ByElements {
   public:
     ByElements(const System& system, int n) : system_(system) {
@@ -55,9 +56,10 @@ class ByElements {
         require(ISCreateGeneral(communicator, petsc_int(static_cast<Index>(system.edge.size())),
                                 system.edge.data(), PETSC_COPY_VALUES, rows.made()));
         require(MatCreateSubMatrix(system.A, rows, rows, MAT_INITIAL_MATRIX, A_edge_.made()));
-        require(MatCreateVecs(A_edge_, x_edge_.made(), rest_edge_.made()));
+        require(MatCreateVecs(A_edge_, x_edge_.made(), b_edge_.made()));
+        require(VecDuplicate(system.b, first_.made()));
         require(VecDuplicate(system.b, rest_.made()));
-        require(VecScatterCreate(rest_, rows, rest_edge_, nullptr, to_edge_.made()));
+        require(VecScatterCreate(rest_, rows, b_edge_, nullptr, to_edge_.made()));
         require(PCCreate(communicator, edge_.made()));
         require(PCSetOptionsPrefix(edge_, "edge_"));
         require(PCSetOperators(edge_, A_edge_, A_edge_));
@@ -68,22 +70,24 @@ class ByElements {
     }
 
     void apply(Vec b, Vec x) const {
-        require(VecPointwiseMult(rest_, system_.weights, b));
-        require(PCApply(elements_, rest_, x));
-        require(MatMult(system_.A, x, rest_));
+        require(VecScatterBegin(to_edge_, b, b_edge_, INSERT_VALUES, SCATTER_FORWARD));
+        require(VecScatterEnd(to_edge_, b, b_edge_, INSERT_VALUES, SCATTER_FORWARD));
+        require(PCApply(edge_, b_edge_, x_edge_));
+        require(VecSet(first_, 0));
+        require(VecScatterBegin(to_edge_, x_edge_, first_, INSERT_VALUES, SCATTER_REVERSE));
+        require(VecScatterEnd(to_edge_, x_edge_, first_, INSERT_VALUES, SCATTER_REVERSE));
+        require(MatMult(system_.A, first_, rest_));
         require(VecAYPX(rest_, -1, b));
-        require(VecScatterBegin(to_edge_, rest_, rest_edge_, INSERT_VALUES, SCATTER_FORWARD));
-        require(VecScatterEnd(to_edge_, rest_, rest_edge_, INSERT_VALUES, SCATTER_FORWARD));
-        require(PCApply(edge_, rest_edge_, x_edge_));
-        require(VecScatterBegin(to_edge_, x_edge_, x, ADD_VALUES, SCATTER_REVERSE));
-        require(VecScatterEnd(to_edge_, x_edge_, x, ADD_VALUES, SCATTER_REVERSE));
+        require(VecPointwiseMult(rest_, system_.weights, rest_));
+        require(PCApply(elements_, rest_, x));
+        require(VecAXPY(x, 1, first_));
     }
 
   private:
     const System& system_;
     Preconditioner elements_, edge_;
     Matrix A_edge_;
-    Vector rest_, rest_edge_, x_edge_;
+    Vector first_, rest_, b_edge_, x_edge_;
     Owned<VecScatter, VecScatterDestroy> to_edge_;
 };
 

@@ -16,9 +16,9 @@ struct Report {
 };
 
 /// Solves \f$A x = b\f$ by GMRES, unless PETSc's options say otherwise. The preconditioner is a solution of
-/// the elements by an algebraic multigrid method, BoomerAMG for each component of the unknowns, and then one
-/// of the equations of A at the edge, factorised by MUMPS, for what is left there; its options begin with
-/// -elements_pc_ and -edge_pc_. Where the iteration fails, and no options were given, MUMPS factorises A.
+/// the equations of A at the edge, factorised by MUMPS, and then one of the elements for what is left, by an
+/// algebraic multigrid method, BoomerAMG for each component of the unknowns; its options begin with -edge_pc_
+/// and -elements_pc_. Where the iteration fails, and no options were given, MUMPS factorises A.
 /// \param n unknowns of each particle \param[out] report how
 /// \param step is called after each iteration with its number and the residual, relative to the first
 /// \return those of the own particles, a column for each

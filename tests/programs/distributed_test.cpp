@@ -83,6 +83,16 @@ TEST_CASE("distributed: planes of symmetry need no factorisation of the whole ma
     }
 }
 
+TEST_CASE("distributed: a slender body in bending needs no more iterations than others") {
+    const auto table = table_of(
+        on(2) +
+        "--grid 151x31 --lengths 1x0.2 --young 226.9e9 --poisson 0.33 --displacement 'left: -2e6/226.9e9*(5*y-0.5)*2.33*5*y*(5*y-1), 2e6/226.9e9*4.95*(5*y-0.5)^2' --traction 'right: 0, -3e7*5*y*(5*y-1)' --seconds");
+    std::size_t row = 0;
+    while (table.word(row, "quantity") != "iterations") ++row;
+    CHECK(number(table, row, "value") > 5);
+    CHECK(number(table, row, "value") < 60);
+}
+
 TEST_CASE("distributed: modes are those of body") {
     const std::string command =
         "--mesh examples/bodies/strip.geo --size 6e-3 --equation poisson --value 'end: 0' --modes 3 --method strong";
@@ -157,7 +167,7 @@ TEST_CASE("distributed: what cannot be done is refused in one line, on many proc
         refused("--grid 9x9 --equation poisson --value top:0 --field u.vtu", 2,
                 "let its name end with .pvtu");
         refused("--grid 9x9 --equation poisson --value top:0 --field u.pvtu --output u_0.vtu", 2,
-                "--output and --field name the same file, u_0.vtu");
+                "--field and --output name the same file, u_0.vtu");
         refused("--grid 9x9 --equation poisson --value top:0 --output /nowhere/t.csv", 1, "/nowhere/t.csv");
         refused("--grid 9x9 --equation poisson --value top:0 --field /nowhere/u.pvtu", 1, "/nowhere/u.pvtu");
         refused("--grid 9x9 --equation poisson --value top:0 --modes 41", 2, "has from 1 to 40 modes");
