@@ -32,7 +32,7 @@ $(bin)/distributed $(bin)/check_parts $(bin)/check_distributed: $(tools) $(metho
 .PHONY: bench-distributed
 bench-distributed: export OMPI_ALLOW_RUN_AS_ROOT := 1
 bench-distributed: export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM := 1
-bench-distributed: MOST ?= 2000000
+bench-distributed: MOST ?= 1000000
 bench-distributed: $(bin)/distributed $(bin)/body ## measure the program for many processes beside that for one, up to MOST particles, into data/benchmarks
 	@bash tests/benchmarks/distributed $(bin) $(MOST) > $(BUILD)/distributed.csv
 	mv $(BUILD)/distributed.csv data/benchmarks/distributed.csv
