@@ -2,6 +2,7 @@
 
 #include <petscksp.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -112,9 +113,14 @@ struct Residual {
     double of_given =
         1;  ///< over ‖b‖: an estimate of the error of x, which is large where A is nearly singular
 
+    static constexpr double largest_error = 1e-5;
+
     [[nodiscard]] bool is_small() const {
-        constexpr double largest_error = 1e-5;
         return of_terms < solvers::largest_residual && of_given < largest_error;
+    }
+    /// The factor by which it must shrink.
+    [[nodiscard]] double wanted() const {
+        return std::min(solvers::largest_residual / of_terms, largest_error / of_given);
     }
 };
 
@@ -185,10 +191,11 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
                                    &is_direct));
     // Where round-off has separated the two residuals, the iteration begins again from the true one.
     for (int again = 0; again < 3 && !residual.is_small(); ++again) {
-        if (again == 1) {
+        if (again > 0) {
             require(KSPSetInitialGuessNonzero(solver, PETSC_TRUE));
             require(KSPConvergedDefaultSetUIRNorm(solver));
-            require(KSPSetTolerances(solver, 1e-4, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+            require(KSPSetTolerances(solver, 0.1 * residual.wanted(), PETSC_DEFAULT, PETSC_DEFAULT,
+                                     PETSC_DEFAULT));
         }
         require(KSPSolve(solver, system.b, tried.x));
         PetscInt more = 0;
@@ -214,7 +221,8 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
         tried.fault = report.method + ": " + (reason < 0 ? std::string(words) + ", " : "") +
                       "relative residual " + base::shown(residual.of_terms, 2) + ", and " +
                       base::shown(residual.of_given, 2) + " of the right-hand side, where " +
-                      base::shown(solvers::largest_residual) + " and 1e-05 are the most";
+                      base::shown(solvers::largest_residual) + " and " +
+                      base::shown(Residual::largest_error) + " are the most";
     return tried;
 }
 
