@@ -158,10 +158,10 @@ Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
                                        particles::neighbourhood(cloud_, kernel, x, h_[I], near)),
                                    near, I, h_[I]);
     } catch (const particles::SingularNeighbourhood& error) {
-        throw base::FailedComputation(
-            "fpm: at " + particles::shown_point(x) + " there are " + std::to_string(near.size()) +
-            " particles within " + particles::shown(cut<dim> * h_[I]) + ", and " + error.what() + "; " +
-            smoothing_that_determines(*this) + "take more particles or other ones");
+        throw base::FailedComputation("fpm: at " + particles::shown_point(x) + " there are " +
+                                      std::to_string(near.size()) + " particles within " +
+                                      particles::shown(cut<dim> * h_[I]) + ", and " + error.what() + "; " +
+                                      smoothing_that_determines(*this) + "take more particles or other ones");
     }
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -282,6 +283,28 @@ void require_held(const Problem<dim, n>& problem, const Body<dim>& body,
     }
 }
 
+template <int dim, int n>
+void require_corners(const Problem<dim, n>& problem, const Body<dim>& body) {
+    const auto particles_of = [&](const std::string& side) {
+        std::vector<int> particles;
+        for (const Place<dim>& place : side_named(body, side).places) particles.push_back(place.particle);
+        std::sort(particles.begin(), particles.end());
+        return particles;
+    };
+    for (const Corner& corner : problem.corners) {
+        const std::vector<int> one = particles_of(corner.sides[0]), other = particles_of(corner.sides[1]);
+        std::vector<int> both;
+        std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
+        if (corner.sides[0] == corner.sides[1] || both.empty())
+            throw base::InvalidInput("the sides " + corner.sides[0] + " and " + corner.sides[1] +
+                                     " have no corner: they meet at no particle");
+    }
+}
+
+template void require_corners(const Problem<2, 1>&, const Body<2>&);
+template void require_corners(const Problem<3, 1>&, const Body<3>&);
+template void require_corners(const Problem<2, 2>&, const Body<2>&);
+template void require_corners(const Problem<3, 3>&, const Body<3>&);
 template void require_held(const Problem<2, 1>&, const Body<2>&, const Conditions<2, 1>&);
 template void require_held(const Problem<3, 1>&, const Body<3>&, const Conditions<3, 1>&);
 template void require_held(const Problem<2, 2>&, const Body<2>&, const Conditions<2, 2>&);

@@ -33,6 +33,11 @@ using Conditions = std::vector<std::vector<Condition<dim, n>>>;
 template <int dim, int n>
 Conditions<dim, n> conditions(const Problem<dim, n>& problem, const Body<dim>& body);
 
+/// Refuses a choice at a corner of sides that meet at no particle: it would go unnoticed.
+/// \throws base::InvalidInput naming the sides
+template <int dim, int n>
+void require_corners(const Problem<dim, n>& problem, const Body<dim>& body);
+
 /// Refuses a problem whose body can move as a whole, or a scalar that is known up to a constant.
 /// \throws base::InvalidInput naming the motion
 template <int dim, int n>

@@ -73,6 +73,7 @@ Equations<dim> equations(const Problem<dim, n>& problem, const Body<dim>& body,
 template <int dim, int n>
 Solution<dim, n> solve(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how) {
     Conditions<dim, n> all = conditions(problem, body);
+    require_corners(problem, body);
     require_held(problem, body, all);
     auto [approximation, quality, system] = equations(problem, body, all, how, Wanted::solution);
     const auto& [R, worst] = quality;
@@ -113,6 +114,7 @@ template <int dim, int n>
 std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>& body,
                                 const Discretisation& how, Index count) {
     const auto all = conditions(problem, body);
+    require_corners(problem, body);
     require_held(problem, body, all);
     require_modes(body.x.cols(), count);
     const System system = equations(problem, body, all, how, Wanted::eigenvalues).system;

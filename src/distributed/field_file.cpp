@@ -18,6 +18,17 @@ std::string array(const std::string& name, bodies::Index components) {
            std::to_string(components == 2 ? 3 : components) + "\"/>\n";
 }
 
+/// A text as the value of an attribute of XML.
+std::string attribute(const std::string& text) {
+    std::string safe;
+    for (const char letter : text)
+        safe += letter == '&'   ? "&amp;"
+                : letter == '<' ? "&lt;"
+                : letter == '"' ? "&quot;"
+                                : std::string(1, letter);
+    return safe;
+}
+
 }  // namespace
 
 template <int dim>
@@ -60,8 +71,8 @@ void write_field(const Processes& processes, const std::string& path, const bodi
         text += "</PPointData>\n";
         for (int rank = 0; rank < processes.count(); ++rank)
             if (all[static_cast<std::size_t>(rank)] != 0)
-                text += "<Piece Source=\"" + std::filesystem::path(piece_of(path, rank)).filename().string() +
-                        "\"/>\n";
+                text += "<Piece Source=\"" +
+                        attribute(std::filesystem::path(piece_of(path, rank)).filename().string()) + "\"/>\n";
         report::write_whole(path, text + "</PUnstructuredGrid>\n</VTKFile>\n");
     });
 }

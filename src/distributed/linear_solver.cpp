@@ -28,8 +28,8 @@ using Preconditioner = Owned<PC, PCDestroy>;
 constexpr const char* strong = "0.25";
 
 /// An approximate inverse of A: the equations of A at the edge, where conditions are imposed in a way of its
-/// own, and then elements for what is left, which varies slowly. In the other order the elements would bend a
-/// slender body by what they do not know of its edge.
+/// own, and then elements for what is left, which varies slowly. With the elements first, their small errors
+/// in the forces at the edge would bend a slender body much.
 class ByElements {
   public:
     ByElements(const System& system, int n) : system_(system) {
@@ -142,6 +142,7 @@ Residual residual_of(const System& system, Vec x) {
 struct Attempt {
     Vector x;
     std::string fault;
+    bool nearly_singular = false;  ///< x solves a system that is as good as A, and may be wrong
 };
 
 Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised, Report& report,
@@ -217,6 +218,7 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
     report.iterations = static_cast<int>(iterations);
     const char* words = nullptr;
     require(KSPGetConvergedReasonString(solver, &words));
+    tried.nearly_singular = residual.of_terms < solvers::largest_residual;
     if (!residual.is_small())
         tried.fault = report.method + ": " + (reason < 0 ? std::string(words) + ", " : "") +
                       "relative residual " + base::shown(residual.of_terms, 2) + ", and " +
@@ -241,7 +243,9 @@ Eigen::MatrixXd solved(const System& system, int n, Report& report,
         throw base::FailedComputation(
             "the linear system was not solved: " + tried.fault + "; " +
             (chosen ? "leave PETSc's options -ksp_type, -pc_type, -ksp_max_it and -ksp_rtol out"
-                    : "take another smoothing length or other particles"));
+             : tried.nearly_singular
+                 ? "the conditions or the material hardly determine the solution: a given value, a larger coefficient of convection or a smaller Poisson's ratio would"
+                 : "take another smoothing length or other particles"));
     PetscInt rows = 0;
     require(VecGetLocalSize(tried.x, &rows));
     const double* values = nullptr;

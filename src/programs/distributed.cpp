@@ -112,6 +112,7 @@ class DistributedTable {
             command_line::check_lengths(spacing_, options_.smoothing_from, whole_.particles());
             if (const auto body = whole_.small()) {
                 const auto problem = command_line::problem<dim, n>(options_.problem, *body);
+                bodies::require_corners(problem, *body);
                 bodies::require_held(problem, *body, bodies::conditions(problem, *body));
             }
         });
@@ -212,7 +213,7 @@ class DistributedTable {
         const std::vector<Point<dim>> across = whole_.across_gaps();
         particles.across = static_cast<Index>(across.size());
         if (!across.empty()) particles.one = across.front();
-        const std::string finer = !options_.grid.empty() ? "more particles"
+        const std::string finer = !options_.grid.empty() ? "more particles, or body with --method hats"
                                   : options_.size        ? "a smaller --size, or body with --method hats"
                                                          : "a finer mesh, or body with --method hats";
         remarks_.push_back(method + ": " + solution.report.method);

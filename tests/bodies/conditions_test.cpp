@@ -184,6 +184,17 @@ TEST_CASE("conditions: unknown sides, sides given twice and corners without mean
     CHECK(has(message(problem), "not from bottom"));
 }
 
+TEST_CASE("conditions: a choice at a corner of sides that do not meet is refused") {
+    auto problem = problem_of<2, 2>({load<2, 2>("top", 1)});
+    problem.corners = {{{"left", "top"}, {"left", "top"}}};
+    CHECK_NOTHROW(require_corners(problem, square));
+    problem.corners = {{{"left", "right"}, {"left", "right"}}};
+    CHECK(refusal([&] { require_corners(problem, square); }) ==
+          "the sides left and right have no corner: they meet at no particle");
+    problem.corners = {{{"left", "left"}, {"left", "left"}}};
+    CHECK_THROWS_AS(require_corners(problem, square), base::InvalidInput);
+}
+
 TEST_CASE("conditions: a given function that is not finite is refused with its side and place") {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                      infinite = std::numeric_limits<double>::infinity();

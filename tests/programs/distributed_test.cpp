@@ -100,6 +100,20 @@ TEST_CASE("distributed: modes are those of body") {
     for (const int processes : {1, 3}) check_same(table_of(on(processes) + command), expected);
 }
 
+TEST_CASE("distributed: modes by options of SLEPc that do not give the lowest are refused") {
+    const std::string membrane_modes = "--grid 21x21 --equation poisson --value left:0 --modes 3 ";
+    for (const std::string prefix : {"", "mpirun --quiet -n 2 "}) {
+        const auto refused = [&](const std::string& options, int code, const std::string& why) {
+            check_refused("distributed " + membrane_modes + options, code, why, prefix);
+        };
+        refused("-st_pc_type jacobi", 1, "the residual of the eigenvalue ");
+        refused("-st_ksp_type preonly -st_pc_type bjacobi", 1, "the residual of the eigenvalue ");
+        refused("-eps_target 50", 2, "--modes finds the smallest eigenvalues");
+        refused("-st_type shift", 2, "--modes finds the smallest eigenvalues");
+    }
+    check_same(table_of(on(2) + membrane_modes + "-eps_tol 1e-10"), table_of(on(1) + membrane_modes));
+}
+
 TEST_CASE("distributed: fields have a piece of each process, and the same numbers") {
     const programs::Folder folder;
     const std::string field = folder.path + "/u.pvtu";
@@ -109,6 +123,8 @@ TEST_CASE("distributed: fields have a piece of each process, and the same number
         CHECK(index.find("<Piece Source=\"" + piece + "\"/>") != std::string::npos);
         CHECK(report::read_whole(folder.path + "/" + piece).find("Name=\"quality\"") != std::string::npos);
     }
+    table_of(on(1) + membrane + "--field '" + folder.path + "/a&b.pvtu'");
+    CHECK(report::read_whole(folder.path + "/a&b.pvtu").find("\"a&amp;b_0.vtu\"") != std::string::npos);
 }
 
 TEST_CASE("distributed: a process without particles writes no piece, and waits for none") {
@@ -174,7 +190,9 @@ TEST_CASE("distributed: what cannot be done is refused in one line, on many proc
         refused("--grid 9x9 --equation poisson --value top:0 --smoothing 0.3", 1, "fpm: at (");
         refused(
             "--grid 11x11 --lengths 1e-6x1e-6 --equation poisson --conductivity 1e9 --convection 'left: 1,20' --flux 'right: 1'",
-            1, "the linear system was not solved");
+            1, "the conditions or the material hardly determine the solution");
+        refused("--grid 9x9 --equation poisson --value left:0 --corner 'left+right: right'", 2,
+                "the sides left and right have no corner");
         refused("--mesh nothing.geo --equation poisson", 2, "nothing.geo");
         refused(
             "--mesh examples/bodies/bracket.geo --size 4e-3 --young 1 --poisson 0.3 --fix wall --smoothing 0.4",
