@@ -3,10 +3,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/parallel.hpp"
 #include "bodies/hats.hpp"
+#include "bodies/level.hpp"
 #include "particles/cloud.hpp"
 
 namespace bodies {
@@ -17,7 +19,8 @@ namespace {
 template <int dim, int n>
 std::vector<Values<n>> consistent_reactions(const Problem<dim, n>& problem, const Body<dim>& body,
                                             const Solution<dim, n>& solution) {
-    const Hats<dim, n> hats(problem, body, solution.approximation);
+    const Problem<dim, n> above = above_level(problem, solution.level);
+    const Hats<dim, n> hats(above, body, solution.approximation);
     std::vector<Values<n>> all(problem.given.size(), Values<n>::Zero());
     for (std::size_t I = 0; I < solution.conditions.size(); ++I) {
         std::vector<Condition<dim, n>> values;
@@ -59,13 +62,35 @@ Acting<n> acting(const Given<dim, n>* given, const IntegrationPoint<dim>& at, co
     return here;
 }
 
-/// A solution that hardly varies has nothing but round-off in F; this is its share of size_of_terms().
-constexpr double negligible = 1e-9;
+/// Share of the given loads' parts up to which their sum may be round-off.
+constexpr double cancelled = 1e-6;
+
+/// Relative error of a value or of surroundings that a user gives.
+constexpr double of_given = 1e-14;
+
+/// The force between neighbouring particles whose values differ by u. [force/area]
+template <int dim, int n>
+double force(const Sums<n>& sums, const Extent<dim>& extent, double u) {
+    return sums.coefficient * u / extent.spacing();
+}
 
 /// The size of the terms whose sum is F.
 template <int dim, int n>
 double size_of_terms(const Sums<n>& sums, const Extent<dim>& extent) {
-    return sums.coefficient * sums.largest_u / extent.spacing();
+    return force(sums, extent, std::max(sums.largest_u, of_given / round_off_of_terms * sums.level));
+}
+
+/// The size up to which a load is round-off of these terms.
+template <int dim, int n>
+double least_load(const Sums<n>& sums, const Extent<dim>& extent) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    return force(sums, extent, std::max(epsilon * sums.largest_u, of_given * sums.level));
+}
+
+template <int dim, int n>
+double share_of_terms(const Sums<n>& sums, const Extent<dim>& extent) {
+    const double terms = size_of_terms(sums, extent);
+    return terms > 0 ? std::sqrt(sums.sizes / sums.area) / terms : 0;
 }
 
 /// Adds what a side has.
@@ -74,11 +99,12 @@ void add_side(Sums<n>& sums, const Side<dim>& side, const Problem<dim, n>& probl
               const Solution<dim, n>& solution, double spacing) {
     const Given<dim, n>* given = problem.given_on(side);
     for (const auto& at : rule_on(side, spacing)) {
-        const State<dim, n> state = state_at(problem, solution, at.x);
+        const State<dim, n> state = state_above_level(problem, solution, at.x);
         const auto [applied, valued] = acting<dim, n>(given, at, state.u);
         const Values<n> own = state.F * at.normal, gap = own - applied;
         sums.missed += at.weight * (gap - valued * gap).squaredNorm();
         sums.sizes += at.weight * state.F.squaredNorm();
+        sums.applied += at.weight * applied.squaredNorm();
         sums.area += at.weight;
         if (given == nullptr) continue;
         Forces<n>& here = sums.on[static_cast<std::size_t>(given - problem.given.data())];
@@ -87,7 +113,8 @@ void add_side(Sums<n>& sums, const Side<dim>& side, const Problem<dim, n>& probl
         here.reaction.add(at.weight, valued * own);
         if (given->exchange)
             here.parts += at.weight * given->exchange(at.x) *
-                          (std::abs(given->surroundings(at.x)) + state.u.stableNorm());
+                          (std::abs(given->surroundings(at.x)) + state.u.stableNorm() +
+                           of_given / cancelled * std::abs(solution.level));
     }
 }
 
@@ -99,8 +126,8 @@ Forces<n> forces_in(const std::vector<IntegrationPoint<dim>>& volume, const Prob
     if (!problem.equation.b && c == 0) return all;
     for (const auto& at : volume) {
         const Values<n> of_b = source(problem.equation, at.x);
-        const Values<n> of_u =
-            c == 0 ? Values<n>(Values<n>::Zero()) : Values<n>(c * state_at(problem, solution, at.x).u);
+        const Values<n> of_u = c == 0 ? Values<n>(Values<n>::Zero())
+                                      : Values<n>(c * state_above_level(problem, solution, at.x).u);
         all.load.add(at.weight, of_b - of_u);
         all.parts += at.weight * (of_b.stableNorm() + of_u.stableNorm());
     }
@@ -111,14 +138,14 @@ Forces<n> forces_in(const std::vector<IntegrationPoint<dim>>& volume, const Prob
 struct Sizes {
     double loads = 0, reactions = 0;  ///< the latter of each side as a whole
     double reaction_integrals = 0, parts = 0;
-    double terms = 0;  ///< size_of_terms() as an integral
+    double terms = 0, least_load = 0;  ///< as integrals
 
     /// Where nothing is left but differences, their sum is round-off of its parts, or of the terms of F.
     [[nodiscard]] double total(bool is_scalar) const {
-        constexpr double round_off = 1e-6, of_terms = 1e-11;
         const bool may_cancel = is_scalar || loads == 0;
+        const double least = loads > least_load ? 0 : round_off_of_terms * terms;
         return std::max(loads + (may_cancel ? reaction_integrals : reactions),
-                        std::max(round_off * (parts + reaction_integrals), of_terms * terms));
+                        std::max(cancelled * (parts + reaction_integrals), least));
     }
 };
 
@@ -139,6 +166,7 @@ void add_particles(Sums<n>& sums, const Solution<dim, n>& solution, const std::v
     sums.unseen = unseen.maxCoeff();
     sums.gradients = gradient.square().sum();
     sums.largest_u = solution.u.cwiseAbs().maxCoeff();
+    sums.level = std::abs(solution.level);
 }
 
 template <int dim, int n>
@@ -146,7 +174,7 @@ Balance<n> balance(const Problem<dim, n>& problem, const Sums<n>& sums, const Ex
                    const std::vector<Values<n>>& reactions) {
     Balance<n> all;
     Sizes sizes;
-    const double terms = size_of_terms(sums, extent);
+    const double terms = size_of_terms(sums, extent), least = least_load(sums, extent);
     Values<n> sum = Values<n>::Zero();
     for (std::size_t k = 0; k < problem.given.size(); ++k) {
         const Given<dim, n>& given = problem.given[k];
@@ -160,6 +188,7 @@ Balance<n> balance(const Problem<dim, n>& problem, const Sums<n>& sums, const Ex
         sizes.reaction_integrals += integral.size;
         sizes.parts += parts;
         sizes.terms += terms * area;
+        sizes.least_load += least * area;
     }
     const auto& [volume, none, parts, area] = sums.in;
     all.volume = volume.vector;
@@ -173,23 +202,22 @@ Balance<n> balance(const Problem<dim, n>& problem, const Sums<n>& sums, const Ex
 
 template <int dim, int n>
 double missed_loads(const Sums<n>& sums, const Extent<dim>& extent) {
-    return std::sqrt(sums.sizes / sums.area) > negligible * size_of_terms(sums, extent)
-               ? std::sqrt(sums.missed / sums.sizes)
-               : 0;
+    if (share_of_terms(sums, extent) > round_off_of_terms) return std::sqrt(sums.missed / sums.sizes);
+    const double load = std::sqrt(sums.applied / sums.area);
+    return load > least_load(sums, extent) ? std::sqrt(sums.missed / sums.applied) : 0;
 }
 
 template <int dim, int n>
 double noise(const Sums<n>& sums, const Extent<dim>& extent) {
-    constexpr double round_off = 1e-9;  // a solution that hardly varies over the body has no noise
-    const double size = std::max(std::sqrt(sums.gradients / static_cast<double>(extent.particles)),
-                                 round_off * sums.largest_u / (extent.high - extent.low).maxCoeff());
-    return size > 0 ? sums.unseen / size : 0;
+    if (share_of_terms(sums, extent) <= round_off_of_terms) return 0;
+    return sums.unseen / std::sqrt(sums.gradients / static_cast<double>(extent.particles));
 }
 
 template <int dim, int n>
 Judgement<n> judgement(const Problem<dim, n>& problem, const Sums<n>& sums, const Extent<dim>& extent,
                        const std::vector<Values<n>>& reactions) {
-    return {noise(sums, extent), missed_loads(sums, extent), balance(problem, sums, extent, reactions)};
+    return {noise(sums, extent), missed_loads(sums, extent), balance(problem, sums, extent, reactions),
+            share_of_terms(sums, extent)};
 }
 
 /// The reactions as integrals.
@@ -216,8 +244,9 @@ template <int dim, int n>
 Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Solution<dim, n>& solution,
              const std::vector<IntegrationPoint<dim>>& volume, double spacing, const std::vector<int>& own) {
     Sums<n> all{std::vector<Forces<n>>(problem.given.size())};
-    for (const Side<dim>& side : body.sides) add_side(all, side, problem, solution, spacing);
-    all.in = forces_in(volume, problem, solution);
+    const Problem<dim, n> above = above_level(problem, solution.level);
+    for (const Side<dim>& side : body.sides) add_side(all, side, above, solution, spacing);
+    all.in = forces_in(volume, above, solution);
     add_particles(all, solution, own);
     if (body.x.cols() > 0) all.coefficient = problem.equation.A(body.x.col(0)).norm();
     return all;

@@ -36,7 +36,14 @@ struct Judgement {
     /// to the last bit; those of the other methods are integrals of the solution's own load over the sides
     /// with given values, and their defect tells whether the stresses can be trusted.
     Balance<n> balance;
+    /// Root mean square of F over the boundary, as a share of the terms that F sums. Up to
+    /// round_off_of_terms, F may be round-off, as in a body that only moves: then noise and defect are measured
+    /// against the terms, and missed_loads against the loads; without loads, nothing is missed.
+    double share_of_terms;
 };
+
+/// Judgement::share_of_terms of a solution that hardly varies.
+inline constexpr double round_off_of_terms = 1e-9;
 
 template <int dim, int n>
 Judgement<n> judgement(const Problem<dim, n>& problem, const Body<dim>& body,
@@ -69,10 +76,10 @@ template <int n>
 struct Sums {
     std::vector<Forces<n>> on{};  ///< each side of Problem::given
     Forces<n> in{};
-    double missed = 0, sizes = 0, area = 0;  ///< of loads and of F, squared, over the boundary
-    double gradients = 0;                    ///< squared, over the particles
+    double missed = 0, applied = 0, sizes = 0, area = 0;  ///< of loads and of F, squared, over the boundary
+    double gradients = 0;                                 ///< squared, over the particles
     double unseen = 0;  ///< largest part of the unknowns that the function misses, over h
-    double largest_u = 0, coefficient = 0;
+    double largest_u = 0, level = 0, coefficient = 0;  ///< sizes
 };
 
 /// Calls `add` for each number that is a sum over the parts of a body, and `most` for each that is the largest
@@ -89,8 +96,9 @@ void combine(Sums<n>& sums, const Add& add, const Most& most) {
     };
     for (Forces<n>& of : sums.on) forces(of);
     forces(sums.in);
-    for (double* number : {&sums.missed, &sums.sizes, &sums.area, &sums.gradients}) add(*number);
-    for (double* number : {&sums.unseen, &sums.largest_u, &sums.coefficient}) most(*number);
+    for (double* number : {&sums.missed, &sums.applied, &sums.sizes, &sums.area, &sums.gradients})
+        add(*number);
+    for (double* number : {&sums.unseen, &sums.largest_u, &sums.level, &sums.coefficient}) most(*number);
 }
 
 /// \param body or a part of it, with the pieces over which this part integrates

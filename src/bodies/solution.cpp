@@ -11,6 +11,7 @@
 #include "bodies/collocation.hpp"
 #include "bodies/discs.hpp"
 #include "bodies/hats.hpp"
+#include "bodies/level.hpp"
 #include "bodies/quality.hpp"
 #include "solvers/sparse_spectrum.hpp"
 
@@ -75,16 +76,27 @@ Solution<dim, n> solve(const Problem<dim, n>& problem, const Body<dim>& body, co
     Conditions<dim, n> all = conditions(problem, body);
     require_corners(problem, body);
     require_held(problem, body, all);
-    auto [approximation, quality, system] = equations(problem, body, all, how, Wanted::solution);
+    const double level = range_of(problem, body, all).nearest_to_zero();
+    const Problem<dim, n> above = above_level(problem, level);
+    if (level != 0) all = conditions(above, body);
+    auto [approximation, quality, system] = equations(above, body, all, how, Wanted::solution);
     const auto& [R, worst] = quality;
     auto& [A, b, nearest, M] = system;
     Eigen::VectorXd u = solvers::solve_sparse(std::move(A), std::move(b), std::move(nearest));
-    return {std::move(approximation), std::move(all), R, worst.R, worst.particle, std::move(u)};
+    return {std::move(approximation), std::move(all), R, worst.R, worst.particle, std::move(u), level};
 }
 
 template <int dim, int n>
 State<dim, n> state_at(const Problem<dim, n>& problem, const Solution<dim, n>& solution,
                        const Point<dim>& x) {
+    State<dim, n> state = state_above_level(problem, solution, x);
+    state.u.array() += solution.level;
+    return state;
+}
+
+template <int dim, int n>
+State<dim, n> state_above_level(const Problem<dim, n>& problem, const Solution<dim, n>& solution,
+                                const Point<dim>& x) {
     const Weights<dim> at = solution.approximation.at(x);
     State<dim, n> state{
         combined<n>(at.particle, at.value, solution.u), combined<n>(at.particle, at.first, solution.u), {}};
@@ -162,18 +174,22 @@ template double von_mises(const Eigen::Matrix<double, 3, 3>&, const batra2008::e
 
 template Solution<2, 1> solve(const Problem<2, 1>&, const Body<2>&, const Discretisation&);
 template State<2, 1> state_at(const Problem<2, 1>&, const Solution<2, 1>&, const Point<2>&);
+template State<2, 1> state_above_level(const Problem<2, 1>&, const Solution<2, 1>&, const Point<2>&);
 template std::vector<double> eigenvalues(const Problem<2, 1>&, const Body<2>&, const Discretisation&, Index);
 
 template Solution<3, 1> solve(const Problem<3, 1>&, const Body<3>&, const Discretisation&);
 template State<3, 1> state_at(const Problem<3, 1>&, const Solution<3, 1>&, const Point<3>&);
+template State<3, 1> state_above_level(const Problem<3, 1>&, const Solution<3, 1>&, const Point<3>&);
 template std::vector<double> eigenvalues(const Problem<3, 1>&, const Body<3>&, const Discretisation&, Index);
 
 template Solution<2, 2> solve(const Problem<2, 2>&, const Body<2>&, const Discretisation&);
 template State<2, 2> state_at(const Problem<2, 2>&, const Solution<2, 2>&, const Point<2>&);
+template State<2, 2> state_above_level(const Problem<2, 2>&, const Solution<2, 2>&, const Point<2>&);
 template std::vector<double> eigenvalues(const Problem<2, 2>&, const Body<2>&, const Discretisation&, Index);
 
 template Solution<3, 3> solve(const Problem<3, 3>&, const Body<3>&, const Discretisation&);
 template State<3, 3> state_at(const Problem<3, 3>&, const Solution<3, 3>&, const Point<3>&);
+template State<3, 3> state_above_level(const Problem<3, 3>&, const Solution<3, 3>&, const Point<3>&);
 template std::vector<double> eigenvalues(const Problem<3, 3>&, const Body<3>&, const Discretisation&, Index);
 
 }  // namespace bodies

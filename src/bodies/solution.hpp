@@ -18,6 +18,8 @@ struct Solution {
     double quality = 0;             ///< R of the worst row
     Index worst = 0;                ///< its particle
     Eigen::VectorXd u;              ///< n unknowns of each particle, neighbours of one another
+    /// What a scalar is above its unknowns u, range_of(): small differences of large values keep their digits.
+    double level = 0;
 };
 
 /// Hats of degree 3 take monomials of degree 2 where the neighbours determine more badly; the solution tells,
@@ -38,6 +40,11 @@ struct State {
 /// \param x a place of the body
 template <int dim, int n>
 State<dim, n> state_at(const Problem<dim, n>& problem, const Solution<dim, n>& solution, const Point<dim>& x);
+
+/// The same with u less the level of the solution.
+template <int dim, int n>
+State<dim, n> state_above_level(const Problem<dim, n>& problem, const Solution<dim, n>& solution,
+                                const Point<dim>& x);
 
 /// The von Mises stress. \param material for plane strain, whose third normal stress counts
 template <int dim>

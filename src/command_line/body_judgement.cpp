@@ -55,7 +55,7 @@ std::optional<std::string> remark(const std::string& method, const bodies::Balan
 
 template <int dim, int n>
 std::vector<Quantity<dim>> quantities(const bodies::Judgement<n>& judged) {
-    const auto& [noise, missed, balance] = judged;
+    const auto& [noise, missed, balance, share] = judged;
     std::vector<Quantity<dim>> all;
     const auto add = [&](const std::string& name, double value, bool has_limit = false) {
         if (std::isfinite(value)) all.push_back({name, {}, value, has_limit});
@@ -102,6 +102,10 @@ std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies
                                                shown(100 * judged.missed_loads, 3) +
                                                " % of their size, where " + shown(100 * most_missed) +
                                                " is the most; do not trust those near it");
+    add(judged.share_of_terms > 0 && judged.share_of_terms <= bodies::round_off_of_terms,
+        "the " + fluxes + " may be round-off: their size is " + shown(judged.share_of_terms, 2) +
+            " of that of the terms that they sum; give values less a " +
+            (n == 1 ? "constant" : "motion of the whole body"));
     add(across > 0,
         std::to_string(across) + " particles, such as that at " + particles::shown_point(one) +
             ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");

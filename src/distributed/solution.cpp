@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "bodies/level.hpp"
 #include "bodies/quality.hpp"
 #include "distributed/spectrum.hpp"
 
@@ -48,10 +49,16 @@ void align(bodies::Conditions<dim, n>& conditions) {
 }
 
 template <int dim, int n>
-Own<dim, n> own(const Part<dim>& part, const bodies::Problem<dim, n>& problem) {
+bodies::Conditions<dim, n> conditions(const Part<dim>& part, const bodies::Problem<dim, n>& problem) {
+    bodies::Conditions<dim, n> all = bodies::conditions(problem, part.body);
+    align<dim, n>(all);
+    return all;
+}
+
+template <int dim, int n>
+Own<dim, n> own(const Part<dim>& part, bodies::Conditions<dim, n> conditions) {
     Own<dim, n> all;
-    all.conditions = bodies::conditions(problem, part.body);
-    align<dim, n>(all.conditions);
+    all.conditions = std::move(conditions);
     if (part.own.empty()) return all;
     all.approximation.emplace(approximation_of(part));
     const std::vector<int> order = bodies::highest_derivatives<dim, n>(all.conditions, part.how.method);
@@ -74,10 +81,22 @@ Solved<dim, n> solve(const Processes& processes, const Part<dim>& part,
                      const bodies::Problem<dim, n>& problem, const Progress& progress) {
     require_collocation(part.how.method);
     const auto start = std::chrono::steady_clock::now();
+    bodies::Conditions<dim, n> given;
+    bodies::Range range;
+    processes.together([&] {
+        given = conditions(part, problem);
+        range = bodies::range_of(problem, part.body, given);
+    });
+    range = {-processes.largest(-range.lowest), processes.largest(range.highest)};
+    const double level = range.nearest_to_zero();
+    const bodies::Problem<dim, n> above = bodies::above_level(problem, level);
     Own<dim, n> all;
-    processes.together([&] { all = own(part, problem); });
+    processes.together([&] {
+        if (level != 0) given = conditions(part, above);
+        all = own<dim, n>(part, std::move(given));
+    });
     const Numbering numbering(processes, part, n);
-    const System system = assembled(numbering, part, problem, all.conditions, all.approximation,
+    const System system = assembled(numbering, part, above, all.conditions, all.approximation,
                                     bodies::Wanted::solution, progress.assembly);
     Solved<dim, n> solved;
     solved.assembly = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -90,9 +109,9 @@ Solved<dim, n> solve(const Processes& processes, const Part<dim>& part,
     for (Index axis = 0; axis < dim; ++axis)
         solved.worst[axis] = processes.from(first, R.size() > 0 ? part.body.x(axis, worst.particle) : 0);
     if (all.approximation)
-        solved.part.emplace(bodies::Solution<dim, n>{std::move(*all.approximation), std::move(all.conditions),
-                                                     R, worst.R, worst.particle,
-                                                     Eigen::Map<const Eigen::VectorXd>(u.data(), u.size())});
+        solved.part.emplace(bodies::Solution<dim, n>{
+            std::move(*all.approximation), std::move(all.conditions), R, worst.R, worst.particle,
+            Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()), level});
     return solved;
 }
 
@@ -103,7 +122,7 @@ std::vector<double> eigenvalues(const Processes& processes, const Part<dim>& par
     require_collocation(part.how.method);
     bodies::require_modes(part.extent.particles, count);
     Own<dim, n> all;
-    processes.together([&] { all = own(part, problem); });
+    processes.together([&] { all = own<dim, n>(part, conditions(part, problem)); });
     const Numbering numbering(processes, part, n);
     const System system = assembled(numbering, part, problem, all.conditions, all.approximation,
                                     bodies::Wanted::eigenvalues, progress.assembly);

@@ -185,6 +185,74 @@ TEST_CASE("judgement: a body of one temperature, or one that only moves, has no 
     }
 }
 
+TEST_CASE("judgement: a flux between values that hardly differ is right to the digits that they have") {
+    const Body<2> body = block<2>({{20, 20}});
+    constexpr double large = 1e6, step = 1e-6;
+    Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 2.0; })};
+    heat.given = {{"left", {[](const Point<2>&) { return large + step; }}},
+                  {"right", {[](const Point<2>&) { return large; }}}};
+    const double difference = (large + step) - large;
+    for (const Method method : {Method::hats, Method::fpm, Method::strong, Method::weak1, Method::weak2}) {
+        INFO(name(method));
+        Discretisation how = by(method);
+        how.penalty = 1e8;
+        const auto solution = solve(heat, body, how);
+        const auto state = state_at(heat, solution, {0.5, 0.5});
+        CHECK(state.u[0] == relative(large + difference / 2, 1e-15));
+        CHECK(state.F(0, 0) == relative(-2 * difference, 1e-5));
+        const auto judged = judgement(heat, body, solution);
+        CHECK(judged.share_of_terms > round_off_of_terms);
+        CHECK(judged.noise < 1e-3);
+        CHECK(on(judged.balance.reactions, "left")[0] == relative(2 * difference, 1e-5));
+        CHECK(judged.balance.defect < 1e-3);
+    }
+}
+
+TEST_CASE("judgement: a flux through a body that conducts well is right, whatever its temperature") {
+    const Body<2> body = block<2>({{10, 10}, 0, 1, [](const Point<2>& x) { return Point<2>(1e-6 * x); }});
+    Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 1e9; })};
+    heat.given = {{"left", {[](const Point<2>&) { return 20.0; }}}, {"right"}};
+    heat.given[1].loads = {[](const Point<2>&, const Point<2>&) { return Values<1>(1); }};
+    for (const Method method : {Method::hats, Method::fpm, Method::strong}) {
+        INFO(name(method));
+        const auto solution = solve(heat, body, by(method));
+        CHECK(state_at(heat, solution, {5e-7, 5e-7}).F(0, 0) == relative(1, 1e-6));
+        CHECK(judgement(heat, body, solution).missed_loads < 1e-3);
+    }
+}
+
+TEST_CASE("judgement: given values that differ by round-off alone are one temperature") {
+    const Body<2> body = block<2>({{8, 8}, 0.15, 1});
+    const auto one = [](const Point<2>& x) {
+        return 293.15 * (std::sin(9 * x[1]) * std::sin(9 * x[1]) + std::cos(9 * x[1]) * std::cos(9 * x[1]));
+    };
+    Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 200.0; })};
+    heat.given = {{"left", {one}}, {"right"}};
+    heat.given[1].exchange = [](const Point<2>&) { return 5.0; };
+    heat.given[1].surroundings = one;
+    for (const Method method : {Method::hats, Method::fpm, Method::strong}) {
+        INFO(name(method));
+        const auto judged = judgement(heat, body, solve(heat, body, by(method)));
+        CHECK(judged.noise == 0);
+        CHECK(judged.missed_loads == 0);
+        CHECK(judged.balance.defect < 0.01);
+        CHECK(judged.share_of_terms < round_off_of_terms);
+    }
+}
+
+TEST_CASE("judgement: loads that round-off of a large motion hides are missed") {
+    const Body<2> body = block<2>({{8, 8}, 0.15, 1});
+    Problem<2, 2> moved{elasticity<2>({1, 0.3})};
+    moved.given = {{"left", {[](const Point<2>&) { return 1e16; }, zero}}, {"right"}};
+    moved.given[1].loads = {[](const Point<2>&, const Point<2>&) { return Values<2>(100, 0); }};
+    for (const Method method : {Method::hats, Method::fpm, Method::strong}) {
+        INFO(name(method));
+        const auto judged = judgement(moved, body, solve(moved, body, by(method)));
+        CHECK(judged.share_of_terms < round_off_of_terms);
+        CHECK(judged.missed_loads > 0.1);
+    }
+}
+
 TEST_CASE(
     "judgement: particles see across a slot that is narrower than their support, and not across a wide one") {
     // Rows of squares, some of them left out.
