@@ -32,7 +32,7 @@ std::vector<Values<n>> consistent_reactions(const Problem<dim, n>& problem, cons
         const Eigen::VectorXd along =
             (D.transpose() * D)
                 .ldlt()
-                .solve(D.transpose() * hats.residual(static_cast<Index>(I), solution.u));
+                .solve(D.transpose() * hats.residual(static_cast<Index>(I), solution.above));
         for (std::size_t k = 0; k < values.size(); ++k)
             all[static_cast<std::size_t>(values[k].from)] +=
                 along[static_cast<Index>(k)] * values[k].direction;
@@ -158,14 +158,14 @@ void add_particles(Sums<n>& sums, const Solution<dim, n>& solution, const std::v
     base::for_each_index(N, [&](Index k) {
         const Index I = own[static_cast<std::size_t>(k)];
         const Weights<dim> at = approximation.at_particle(I, Derivatives::first);
-        const Values<n> u_I = solution.u.template segment<n>(n * I);
-        unseen[k] = (u_I - combined<n>(at.particle, at.value, solution.u)).norm() / approximation.h()[I];
-        gradient[k] = combined<n>(at.particle, at.first, solution.u).norm();
+        const Values<n> u_I = solution.above.template segment<n>(n * I);
+        unseen[k] = (u_I - combined<n>(at.particle, at.value, solution.above)).norm() / approximation.h()[I];
+        gradient[k] = combined<n>(at.particle, at.first, solution.above).norm();
     });
     if (N == 0) return;
     sums.unseen = unseen.maxCoeff();
     sums.gradients = gradient.square().sum();
-    sums.largest_u = solution.u.cwiseAbs().maxCoeff();
+    sums.largest_u = solution.above.cwiseAbs().maxCoeff();
     sums.level = std::abs(solution.level);
 }
 

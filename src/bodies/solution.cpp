@@ -99,7 +99,7 @@ State<dim, n> state_above_level(const Problem<dim, n>& problem, const Solution<d
                                 const Point<dim>& x) {
     const Weights<dim> at = solution.approximation.at(x);
     State<dim, n> state{
-        combined<n>(at.particle, at.value, solution.u), combined<n>(at.particle, at.first, solution.u), {}};
+        combined<n>(at.particle, at.value, solution.above), combined<n>(at.particle, at.first, solution.above), {}};
     const auto A = problem.equation.A(x);
     for (int i = 0; i < n; ++i)
         for (int a = 0; a < dim; ++a) {

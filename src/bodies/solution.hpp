@@ -17,9 +17,13 @@ struct Solution {
     Column<double> R;               ///< quality number of each particle's derivatives, particles::quality()
     double quality = 0;             ///< R of the worst row
     Index worst = 0;                ///< its particle
-    Eigen::VectorXd u;              ///< n unknowns of each particle, neighbours of one another
-    /// What a scalar is above its unknowns u, range_of(): small differences of large values keep their digits.
+    /// Unknowns less the level, n of each particle, neighbours of one another.
+    Eigen::VectorXd above;
+    /// A value that is given of a scalar, range_of(): small differences of large values keep their digits.
     double level = 0;
+
+    /// The unknowns.
+    [[nodiscard]] Eigen::VectorXd u() const { return above.array() + level; }
 };
 
 /// Hats of degree 3 take monomials of degree 2 where the neighbours determine more badly; the solution tells,

@@ -81,6 +81,15 @@ Particles<dim> particles_of(const SolvedBody<dim, n>& solved) {
     return found;
 }
 
+template <int n>
+std::vector<std::string> about_round_off(const bodies::Discretisation& how,
+                                         const bodies::Judgement<n>& judged) {
+    const double share = judged.share_of_terms;
+    if (share == 0 || share > bodies::round_off_of_terms) return {};
+    return {bodies::name(how.method) + (n == 1 ? ": fluxes" : ": stresses") +
+            " may be round-off: their size is " + shown(share, 2) + " of that of the terms that they sum"};
+}
+
 template <int dim, int n>
 std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies::Judgement<n>& judged,
                                  const Particles<dim>& particles, int degree, const std::string& remedy) {
@@ -102,10 +111,6 @@ std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies
                                                shown(100 * judged.missed_loads, 3) +
                                                " % of their size, where " + shown(100 * most_missed) +
                                                " is the most; do not trust those near it");
-    add(judged.share_of_terms > 0 && judged.share_of_terms <= bodies::round_off_of_terms,
-        "the " + fluxes + " may be round-off: their size is " + shown(judged.share_of_terms, 2) +
-            " of that of the terms that they sum; give values less a " +
-            (n == 1 ? "constant" : "motion of the whole body"));
     add(across > 0,
         std::to_string(across) + " particles, such as that at " + particles::shown_point(one) +
             ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");
@@ -115,6 +120,7 @@ std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies
     return all;
 }
 
+template std::vector<std::string> about_round_off(const bodies::Discretisation&, const bodies::Judgement<1>&);
 template std::vector<Quantity<2>> quantities(const bodies::Judgement<1>&);
 template Particles<2> particles_of(const SolvedBody<2, 1>&);
 template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<1>&,
@@ -125,11 +131,13 @@ template Particles<3> particles_of(const SolvedBody<3, 1>&);
 template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<1>&,
                                           const Particles<3>&, int, const std::string&);
 
+template std::vector<std::string> about_round_off(const bodies::Discretisation&, const bodies::Judgement<2>&);
 template std::vector<Quantity<2>> quantities(const bodies::Judgement<2>&);
 template Particles<2> particles_of(const SolvedBody<2, 2>&);
 template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<2>&,
                                           const Particles<2>&, int, const std::string&);
 
+template std::vector<std::string> about_round_off(const bodies::Discretisation&, const bodies::Judgement<3>&);
 template std::vector<Quantity<3>> quantities(const bodies::Judgement<3>&);
 template Particles<3> particles_of(const SolvedBody<3, 3>&);
 template std::vector<std::string> remarks(const bodies::Discretisation&, const bodies::Judgement<3>&,

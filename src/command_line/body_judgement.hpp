@@ -24,6 +24,11 @@ struct Particles {
 template <int dim, int n>
 Particles<dim> particles_of(const SolvedBody<dim, n>& solved);
 
+/// That stresses or fluxes may be round-off, a sentence, if they are so small, as in a body that only moves.
+template <int n>
+std::vector<std::string> about_round_off(const bodies::Discretisation& how,
+                                         const bodies::Judgement<n>& judged);
+
 /// What is wrong with a solution, a sentence each: loads and reactions that leave more than 2 %, monomials of
 /// a lower degree, neighbours that determine badly, stresses that miss the loads, particles that see others
 /// across a gap, and unknowns that alternate.

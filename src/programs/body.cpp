@@ -52,7 +52,7 @@ meshes::Model model(const BodyOptions& options, long cloud) {
 template <int dim>
 struct Found {
     std::vector<Quantity<dim>> quantities;
-    std::vector<std::string> remarks;
+    std::vector<std::string> comments;
 };
 
 /// A method on each cloud, up to that on which it fails.
@@ -140,7 +140,7 @@ class BodyTable {
                 continue;
             }
             const Found<dim>& last = clouds.back();
-            table.comments.insert(table.comments.end(), last.remarks.begin(), last.remarks.end());
+            table.comments.insert(table.comments.end(), last.comments.begin(), last.comments.end());
             std::vector<std::vector<Cell>> rows;
             for (std::size_t q = 0; q < last.quantities.size(); ++q) {
                 rows.push_back(command_line::row(method, particles_.back(), last.quantities[q]));
@@ -177,8 +177,11 @@ class BodyTable {
             found.quantities.push_back(quantity);
         if (options_.seconds) found.quantities.push_back({"seconds", {}, seconds.count(), false});
         if (!finest) return found;
-        found.remarks = command_line::remarks(solution.approximation.how(), judged,
-                                              command_line::particles_of(all), how.degree, remedy(body, how));
+        found.comments = command_line::about_round_off(how, judged);
+        for (const std::string& remark :
+             command_line::remarks(solution.approximation.how(), judged, command_line::particles_of(all),
+                                   how.degree, remedy(body, how)))
+            found.comments.push_back(remark);
         if (!options_.field.empty()) {
             const std::string suffix = results_.size() > 1 ? "_" + method : "";
             for (auto& field : command_line::fields(all.at_particles, solution.R, material_, suffix))

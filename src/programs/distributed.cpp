@@ -217,6 +217,7 @@ class DistributedTable {
                                   : options_.size        ? "a smaller --size, or body with --method hats"
                                                          : "a finer mesh, or body with --method hats";
         remarks_.push_back(method + ": " + solution.report.method);
+        for (const auto& note : command_line::about_round_off(part.how, judged)) remarks_.push_back(note);
         for (const auto& remark :
              command_line::remarks(part.how, judged, particles, static_cast<int>(part.how.degree), finer))
             remarks_.push_back(remark);

@@ -55,7 +55,7 @@ double difference(const Problem<2, 2>& problem, const Body<2>& body, const batra
     how.spacing = particles::Spacing::nearest;
     const auto expected = batra2008::example_problems::solve(
         same, Cloud<2>(body.x), {batra2008::example_problems::Method::strong, scaling, degree});
-    return (solve(problem, body, how).u - expected.u).norm() / expected.u.norm();
+    return (solve(problem, body, how).u() - expected.u).norm() / expected.u.norm();
 }
 
 }  // namespace

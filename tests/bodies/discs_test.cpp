@@ -25,7 +25,7 @@ double difference(const Problem<2, 2>& problem, const Body<2>& body, const batra
     own.method = batra2008::example_problems::method_named(name(method));
     own.penalty = penalty;
     const auto expected = batra2008::example_problems::solve(same, Cloud<2>(body.x), own);
-    return (solve(problem, body, weak(method, penalty)).u - expected.u).norm() / expected.u.norm();
+    return (solve(problem, body, weak(method, penalty)).u() - expected.u).norm() / expected.u.norm();
 }
 
 }  // namespace

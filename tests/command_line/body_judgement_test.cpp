@@ -31,6 +31,24 @@ std::vector<std::string> remarks_on_sheared(Method method) {
 
 }  // namespace
 
+TEST_CASE(
+    "body judgement: stresses of a body that only turns may be round-off, those of a stretched one are not") {
+    const Body<2> body = support::block<2>({{10, 10}});
+    const auto said = [&](double stretch) {
+        Problem<2, 2> problem{elasticity<2>({1, 0.3})};
+        problem.given = {
+            {"left", {[](const Point<2>& x) { return -x[1]; }, [](const Point<2>&) { return 5.0; }}},
+            {"right",
+             {[stretch](const Point<2>& x) { return stretch - x[1]; }, [](const Point<2>&) { return 6.0; }}}};
+        const auto solution = solve(problem, body, {});
+        return command_line::about_round_off(solution.approximation.how(),
+                                             judgement(problem, body, solution));
+    };
+    REQUIRE(said(0).size() == 1);
+    CHECK(said(0)[0].starts_with("fpm: stresses may be round-off: their size is "));
+    CHECK(said(1e-3).empty());
+}
+
 TEST_CASE("body judgement: a solution far out of equilibrium is refused with its method, forces and remedy") {
     const std::string refused = support::refusal([] { return remarks_on_sheared(Method::strong); });
     CAPTURE(refused);

@@ -100,7 +100,7 @@ TEST_CASE("part: the sums of a solution's judgement over the parts are those ove
     for (const auto& part : parts_of(body, by(Method::strong), scattered(body.x.cols(), 3), 3)) {
         Eigen::VectorXd u(2 * part.body.x.cols());
         for (Index k = 0; k < part.body.x.cols(); ++k)
-            u.segment<2>(2 * k) = solution.u.segment<2>(2 * part.number[static_cast<std::size_t>(k)]);
+            u.segment<2>(2 * k) = solution.above.segment<2>(2 * part.number[static_cast<std::size_t>(k)]);
         const Solution<2, 2> of_part{
             Approximation<2>(Cloud<2>(part.body.x), part.how), conditions(problem, part.body), {}, 0, 0, u};
         auto of_one =

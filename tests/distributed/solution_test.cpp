@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bodies/level.hpp"
 #include "distributed/grid.hpp"
 #include "tests/distributed/parts.hpp"
 #include "tests/distributed/world.hpp"
@@ -37,14 +38,15 @@ Part<dim> part_of(const Body<dim>& body, Discretisation how, const std::vector<i
 template <int dim, int n>
 double difference(const Problem<dim, n>& problem, const Body<dim>& body, const Part<dim>& part) {
     const Processes all = support::world();
-    const Eigen::VectorXd expected = bodies::solve(problem, body, by(part.how.method)).u;
+    const auto expected = bodies::solve(problem, body, by(part.how.method));
     const auto found = distributed::solve(all, part, problem);
     double most = 0;
     for (std::size_t k = 0; k < part.number.size() && found.part; ++k)
         for (Index i = 0; i < n; ++i)
-            most = std::max(most, std::abs(found.part->u[n * static_cast<Index>(k) + i] -
-                                           expected[n * part.number[k] + i]));
-    return all.largest(most) / expected.cwiseAbs().maxCoeff();
+            most = std::max(most, std::abs(found.part->above[n * static_cast<Index>(k) + i] -
+                                           expected.above[n * part.number[k] + i]));
+    if (found.part) CHECK(found.part->level == expected.level);
+    return all.largest(most) / expected.above.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -57,6 +59,8 @@ TEST_CASE("solution: on any number of processes it is that of one machine") {
     };
     for (const Method method : {Method::fpm, Method::strong}) {
         CHECK(on_grid(Grid<2>{{41, 30}, {1, 1}}, support::heat<2>(), method) < 1e-9);
+        CHECK(on_grid(Grid<2>{{41, 30}, {1, 1}}, bodies::above_level(support::heat<2>(), -1e6), method) <
+              1e-9);
         CHECK(on_grid(Grid<2>{{31, 20}, {2, 1}}, support::pulled<2>(), method) < 1e-9);
         CHECK(on_grid(Grid<3>{{9, 8, 7}, {1, 1, 1}}, support::heat<3>(), method) < 1e-9);
         CHECK(on_grid(Grid<3>{{8, 7, 7}, {1, 1, 1}}, support::pulled<3>(), method) < 1e-9);

@@ -208,7 +208,7 @@ Column<double> by_bodies(const Cloud<dim>& cloud, const bodies::Body<dim>& body,
     how.spacing = particles::Spacing::mean;
     const auto solved = bodies::solve<dim, 1>(problem, body, how);
     REQUIRE(solved.approximation.cloud().x() == cloud.x());
-    return solved.u.array();
+    return solved.u().array();
 }
 
 }  // namespace

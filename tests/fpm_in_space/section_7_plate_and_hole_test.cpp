@@ -41,9 +41,9 @@ double difference_from_body(const bodies::Problem<2, 2>& problem, const bodies::
     double difference = 0;
     for (Index I = 0; I < body.x.cols(); ++I)
         for (Index i = 0; i < 2; ++i)
-            difference = std::max(difference,
-                                  std::abs(found.u[static_cast<std::size_t>(i)][I] - expected.u[2 * I + i]));
-    return difference / expected.u.cwiseAbs().maxCoeff();
+            difference = std::max(
+                difference, std::abs(found.u[static_cast<std::size_t>(i)][I] - expected.above[2 * I + i]));
+    return difference / expected.above.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
