@@ -47,19 +47,23 @@ endif
 export GLIBC_TUNABLES := glibc.malloc.hugetlb=1
 
 # A new source file is found by its folder. The folders that compile longest come first, so that no long file is left
-# for the end. What decides and shows the claims is a library apart, which no figure needs.
+# for the end. No figure needs the libraries that decide and show the claims and that solve problems on bodies.
 bin := $(BUILD)/bin
 version := $(shell sed -n 's/^version: //p' CITATION.cff)
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
 sources := $(shell find src tests -name '*.cpp' | LC_ALL=C sort)
 objects_in = $(patsubst %.cpp,$(BUILD)/%.o,$(foreach files,$(1),$(filter $(files),$(sources))))
-tool_objects := $(call objects_in,src/expressions/% src/command_line/% src/report/file.cpp src/report/table.cpp)
+body_objects := $(call objects_in,src/bodies/% src/command_line/body_%)
+tool_objects := $(filter-out $(body_objects),\
+                  $(call objects_in,src/expressions/% src/command_line/% src/report/file.cpp src/report/table.cpp))
 claim_objects := $(filter-out $(tool_objects),$(call objects_in,\
                    $(foreach paper,$(papers:%=src/%),$(addprefix $(paper)/,claims/% claims.cpp choices.cpp)) src/report/%))
 method_objects := $(filter-out $(claim_objects),\
-                    $(call objects_in,$(papers:%=src/%/%) src/bodies/% src/solvers/% src/particles/% src/base/%))
+                    $(call objects_in,$(papers:%=src/%/%) src/solvers/% src/particles/% src/base/%))
+library_objects := $(method_objects) $(call objects_in,src/bodies/%)
 cli := $(BUILD)/src/command_line/command_line.o
-methods := $(BUILD)/libparticle-methods.a
+methods := $(BUILD)/libmethods.a
+bodies := $(BUILD)/libbodies.a
 tools := $(BUILD)/libtools.a
 claims := $(BUILD)/libclaims.a
 # Gmsh's library and PETSc are for two programs and their tests, which make/body.mk and make/distributed.mk link.
@@ -134,6 +138,7 @@ $(cli): private CPPFLAGS += -DVERSION='"$(version)"'
 $(BUILD)/src/command_line/plot.o: private CPPFLAGS += -DSOURCE_FOLDER='"$(CURDIR)"'
 
 $(methods): $(method_objects)
+$(bodies): $(body_objects)
 $(tools): $(tool_objects)
 $(claims): $(claim_objects)
 $(BUILD)/lib%.a:
@@ -144,10 +149,12 @@ $(BUILD)/lib%.a:
 $(programs): $(bin)/%: $(BUILD)/src/programs/%.o
 $(bin)/check: $(tests) | $(refusals)
 $(bin)/check $(bin)/claims $(bin)/choices $(bin)/walkthrough: $(claims)
-$(programs) $(refusals) $(bin)/check $(bin)/bench: $(tools) $(methods)
+for_bodies := $(addprefix $(bin)/,body check_body distributed check_parts check_distributed)
+$(bin)/check $(for_bodies): $(bodies)
+$(programs) $(refusals) $(bin)/check $(bin)/bench $(for_bodies): $(tools) $(methods)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(filter $(claims),$^) $(tools) $(methods) $(LDLIBS) $(LDFLAGS) -o $@.tmp.bin
+	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(filter $(claims) $(bodies),$^) $(tools) $(methods) $(LDLIBS) $(LDFLAGS) -o $@.tmp.bin
 	mv $@.tmp.bin $@
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

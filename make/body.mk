@@ -12,8 +12,3 @@ mesh_objects := $(call objects_in,src/meshes/%)
 $(bin)/body: $(BUILD)/src/programs/body.o $(mesh_objects)
 $(bin)/check_body: $(BUILD)/tests/main.o $(body_tests) $(mesh_objects)
 $(bin)/body $(bin)/check_body: LDLIBS += -lgmsh
-$(bin)/body $(bin)/check_body: $(tools) $(methods)
-	@mkdir -p $(@D)
-	echo "link $@"
-	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(tools) $(methods) $(LDLIBS) $(LDFLAGS) -o $@.tmp.bin
-	mv $@.tmp.bin $@

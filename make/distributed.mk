@@ -23,11 +23,6 @@ $(bin)/distributed: $(BUILD)/src/programs/distributed.o $(mpi_objects) $(mesh_ob
 $(bin)/check_parts: $(part_tests) $(mpi_objects)
 $(bin)/distributed $(bin)/check_parts: LDLIBS += $(shell pkg-config --libs $(petsc)) $(if $(filter %/distributed,$@),-lgmsh)
 $(bin)/check_distributed: $(BUILD)/tests/main.o $(call objects_in,tests/programs/distributed_test.cpp)
-$(bin)/distributed $(bin)/check_parts $(bin)/check_distributed: $(tools) $(methods)
-	@mkdir -p $(@D)
-	echo "link $@"
-	$(CXX) $(CXXFLAGS) $(filter %.o,$^) $(tools) $(methods) $(tools) $(LDLIBS) $(LDFLAGS) -o $@.tmp.bin
-	mv $@.tmp.bin $@
 
 .PHONY: bench-distributed
 bench-distributed: export OMPI_ALLOW_RUN_AS_ROOT := 1

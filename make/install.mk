@@ -1,15 +1,17 @@
-# Installed are the library of the methods and its headers, without those of the claims.
+# Installed are the library of the methods, bodies among them, and its headers, without those of the claims.
 # Variables: PREFIX, and DESTDIR, which goes before it.
 PREFIX ?= /usr/local
 headers := $(filter-out %/choices.hpp,$(shell find src/base src/particles src/solvers src/bodies $(papers:%=src/%) \
              -name '*.hpp' -not -path '*/claims/*'))
+library := $(BUILD)/libparticle-methods.a
+$(library): $(library_objects)
 define install_below
 	prefix=$$(realpath -ms -- "$(1)")
 	root="$(2)$$prefix"
 	for header in $(headers); do
 	    install -D -m 644 "$$header" "$$root/include/particle-methods/$${header#src/}"
 	done
-	install -D -m 644 -t "$$root/lib" $(methods)
+	install -D -m 644 -t "$$root/lib" $(library)
 	# Programs compiled with other flags than the library need the width of its vector registers.
 	register=$$(echo '#include "base/vector_width.hpp"' | $(CXX) $(CXXFLAGS) $(CPPFLAGS) -x c++ -E -dM - |
 	    sed -n 's/^#define PARTICLE_METHODS_REGISTER //p')
@@ -24,10 +26,10 @@ define install_below
 endef
 
 .PHONY: install examples
-install: $(methods) ## install headers, library and particle-methods.pc below PREFIX (default /usr/local)
+install: $(library) ## install headers, library and particle-methods.pc below PREFIX (default /usr/local)
 	@$(call install_below,$(PREFIX),$(DESTDIR))
 
-examples: $(methods) ## build and run the examples as a user would: outside of the tree, on what install installs
+examples: $(library) ## build and run the examples as a user would: outside of the tree, on what install installs
 	@$(call install_below,$(BUILD)/install,)
 	export PKG_CONFIG_PATH="$$prefix/lib/pkgconfig"
 	folder=$$(mktemp -d)

@@ -33,8 +33,8 @@ install-python: python ## install Python's module below PREFIX, too
 
 $(package)/__init__.py: src/python/__init__.py
 	@install -D -m 644 $< $@
-$(package)/core.so: $(python_objects) $(tools) $(methods)
+$(package)/core.so: $(python_objects) $(bodies) $(tools) $(methods)
 	@mkdir -p $(@D)
 	echo "link $@"
-	$(CXX) $(CXXFLAGS) -shared $(python_objects) $(tools) $(methods) $(LDLIBS) -Wl,--exclude-libs,ALL -o $@.tmp.so
+	$(CXX) $(CXXFLAGS) -shared $^ $(LDLIBS) -Wl,--exclude-libs,ALL -o $@.tmp.so
 	mv $@.tmp.so $@

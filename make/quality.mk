@@ -48,7 +48,7 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 # The tests of the sections are compiled again for each mutant, by clang++ in half of g++'s time.
 mutated := $(shell sed -nE 's|^([a-z0-9_/]+)\.[ch]pp$$|\1|p' tests/mutants.txt)
 mutable := $(filter-out %_test.o,$(tests)) $(call objects_in,$(wildcard $(mutated:%=tests/%*_test.cpp))) \
-           $(method_objects) $(filter %/measures.o,$(claim_objects)) $(call objects_in,src/report/%)
+           $(library_objects) $(filter %/measures.o,$(claim_objects)) $(call objects_in,src/report/%)
 mutants-build:
 	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" \
 	    $(mutable:$(BUILD)/%=$(BUILD)/mutants/%)
