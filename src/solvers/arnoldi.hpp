@@ -1,35 +1,24 @@
 #pragma once
 
-#include <string>
-
-#include "base/errors.hpp"
-#include "base/vector_width.hpp"
-
-// g++ 12 suspects Spectra of using memory that its own classes have freed.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpragmas"
-#pragma GCC diagnostic ignored "-Wunknown-warning-option"
-#pragma GCC diagnostic ignored "-Wuse-after-free"
-#include <Spectra/GenEigsSolver.h>
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
 
 namespace solvers {
 
-/// Arnoldi's method with implicit restarts (Spectra), for the largest eigenvalues of an inverse. Included by
-/// source files only, since it takes long to compile.
-/// \param inverse the operator, as Spectra takes it \param basis vectors of the Krylov space
-/// \return Spectra's solver, which has the eigenvalues and the eigenvectors
+/// Eigenvalues, and a column for each eigenvector.
+struct Eigenpairs {
+    Eigen::VectorXcd values;
+    Eigen::MatrixXcd vectors;
+};
+
+/// Writes A x at y. \param x N numbers
+using Operator = std::function<void(const double* x, double* y)>;
+
+/// The largest eigenvalues of a matrix A, in the order of decreasing size, by Arnoldi's method with implicit
+/// restarts (Spectra).
+/// \param N rows of A \param count at most N − 2 \param basis vectors of the Krylov space, at most N
 /// \throws base::FailedComputation where the iteration does not converge
-template <class Operator>
-Spectra::GenEigsSolver<Operator> arnoldi(Operator& inverse, Eigen::Index count, Eigen::Index basis) {
-    Spectra::GenEigsSolver<Operator> solver(inverse, count, basis);
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-10);
-    if (solver.info() != Spectra::CompInfo::Successful)
-        throw base::FailedComputation("the lowest " + std::to_string(count) + " eigenvalues of a matrix of " +
-                                      std::to_string(inverse.rows()) + " rows were not found");
-    return solver;
-}
+Eigenpairs largest(const Operator& A, Eigen::Index N, Eigen::Index count, Eigen::Index basis);
 
 }  // namespace solvers
-
-#pragma GCC diagnostic pop

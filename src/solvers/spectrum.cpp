@@ -6,26 +6,8 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "solvers/arnoldi.hpp"
 
 namespace solvers {
-
-namespace {
-
-/// The inverse of a factorised matrix, as Spectra takes a matrix.
-struct Inverse {
-    using Scalar = double;
-    const BandedFactors<double>& factors;
-    Eigen::Index N;
-
-    [[nodiscard]] Eigen::Index rows() const { return N; }
-    [[nodiscard]] Eigen::Index cols() const { return N; }
-    void perform_op(const double* x, double* y) const {
-        Eigen::Map<Eigen::ArrayXd>(y, N) = factors.solve(Eigen::Map<const Eigen::ArrayXd>(x, N));
-    }
-};
-
-}  // namespace
 
 std::vector<std::complex<double>> eigenvalues(Eigen::MatrixXd K) {
     const auto N = static_cast<lapack_int>(K.rows());
@@ -56,10 +38,11 @@ std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::MatrixXd M) 
 }
 
 Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count) {
-    Inverse inverse{factors, N};
+    const auto inverse = [&](const double* x, double* y) {
+        Eigen::Map<Eigen::ArrayXd>(y, N) = factors.solve(Eigen::Map<const Eigen::ArrayXd>(x, N));
+    };
     // So many vectors converge without a restart where eigenvalues grow with the squares of their numbers.
-    const auto solver = arnoldi(inverse, count, std::min(N, 2 * count + 10));
-    return {solver.eigenvalues(), solver.eigenvectors()};
+    return largest(inverse, N, count, std::min(N, 2 * count + 10));
 }
 
 }  // namespace solvers

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vector_width.hpp"
+#include "solvers/arnoldi.hpp"
 #include "solvers/banded.hpp"
 
 namespace solvers {
@@ -18,14 +19,8 @@ std::vector<std::complex<double>> eigenvalues(Eigen::MatrixXd K);
 /// \throws base::FailedComputation where M is not positive definite or the iteration does not converge
 std::vector<double> symmetric_eigenvalues(Eigen::MatrixXd K, Eigen::MatrixXd M);
 
-/// Eigenvalues, and a column for each eigenvector.
-struct Eigenpairs {
-    Eigen::VectorXcd values;
-    Eigen::MatrixXcd vectors;
-};
-
 /// The largest eigenvalues of K⁻¹, whose inverses are the eigenvalues of K nearest to zero, with their
-/// eigenvectors: Arnoldi's method with implicit restarts (Spectra).
+/// eigenvectors, by largest().
 /// \param factors of K \param N rows of K \param count at most N − 2
 /// \throws base::FailedComputation where the iteration does not converge
 Eigenpairs largest_of_inverse(const BandedFactors<double>& factors, Eigen::Index N, Eigen::Index count);
