@@ -25,7 +25,7 @@ OPTIMISE := -O1 -g -ffp-contract=off -fno-omit-frame-pointer -Wno-maybe-uninitia
 override BUILD := $(BUILD)/sanitize-$(subst $(comma),-,$(SANITIZE))
 export TSAN_OPTIONS := ignore_noninstrumented_modules=1
 endif
-# Objects go into programs and into shared libraries such as Python's module; nobody replaces their functions there.
+# Objects go into programs and into shared libraries such as Python's module; no other library replaces their functions (interposition).
 in_libraries := -fPIC -fno-semantic-interposition
 CXXFLAGS := -std=c++20 $(OPTIMISE) -fopenmp $(in_libraries) -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 # Eigen aligns memory as widely for every processor, so that programs may have other flags than the library.
@@ -47,7 +47,7 @@ endif
 export GLIBC_TUNABLES := glibc.malloc.hugetlb=1
 
 # A new source file is found by its folder. The folders that compile longest come first, so that no long file is left
-# for the end. No figure needs the libraries that decide and show the claims and that solve problems on bodies.
+# for the end. No figure needs libclaims.a, which decides and shows the claims, or libbodies.a, which solves problems on bodies.
 bin := $(BUILD)/bin
 version := $(shell sed -n 's/^version: //p' CITATION.cff)
 papers := $(shell tail -n +2 paper/papers.csv | cut -d, -f2)
@@ -77,7 +77,7 @@ help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-18s %s\n", $$1, $$2 }' Makefile make/*.mk
 
 goals := $(filter-out setup,$(MAKECMDGOALS))
-setup: ## install the Debian packages that are missing; all, or what the other targets beside it need
+setup: ## install missing Debian packages: those that the other targets of the command need, or, alone, those of programs, tests and walkthrough
 	@CXX='$(CXX)' SANITIZE='$(SANITIZE)' bash make/setup $(goals)
 
 include make/tables.mk make/live.mk make/doc.mk make/quality.mk make/install.mk make/body.mk make/python.mk make/distributed.mk
@@ -93,7 +93,7 @@ figures: $(data) $(figures) ## draw the figures of the papers into figures/
 check: $(bin)/check build ## run the tests
 	@$(bin)/check
 
-claims: $(ledger) $(bin)/walkthrough ## decide every claim of the papers, measure the choices, write them into README.md and doc/reproduction.md
+claims: $(ledger) $(bin)/walkthrough ## decide every claim, measure the choices, write the counts into README.md, doc/walkthrough.md and doc/reproduction.md
 	@$(bin)/walkthrough --write
 	$(bin)/claims --count $(filter %/claims.csv,$(ledger))
 
@@ -131,7 +131,7 @@ $(BUILD)/%.o: %.cpp $(BUILD)/flags
 	$(CXX) $(CXXFLAGS) $(CPPFLAGS) $(patsubst %.gch,-include %,$(filter $(libraries),$^)) \
 	    -MMD -MP -MF $(@:.o=.d) -MT $@ -c $< -o $@.tmp.o
 	mv $@.tmp.o $@
-# Tests compile a sixth faster at -O1, and run as long; CLI11, a third. --plot finds the figures' scripts in the folder of the source.
+# At -O1 tests compile a sixth faster and run as fast, and CLI11 compiles a third faster. --plot finds the figures' scripts in the folder of the source.
 $(tests) $(body_tests) $(BUILD)/tests/libraries.hpp.gch $(cli): private CXXFLAGS := $(patsubst -O2,-O1,$(CXXFLAGS))
 $(cli): CITATION.cff
 $(cli): private CPPFLAGS += -DVERSION='"$(version)"'

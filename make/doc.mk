@@ -8,7 +8,7 @@ check-doc: doc build ## open every page of the walkthrough in a browser, and fai
 
 mathjax := /usr/share/javascript/mathjax
 mathjax_extensions := tex2jax toMathML MathEvents MathMenu MathZoom HelpDialog AssistiveMML
-# The programs of the pages that compute, where they are compiled or there is a compiler for browsers. Their scripts are one, so that their names are their own.
+# The programs of the pages that compute, if they are compiled or em++ is installed. The pages' scripts are joined into one function, so that no other script sees their names.
 live_built := $(if $(or $(filter live,$(MAKECMDGOALS)),$(wildcard $(live)/programs.js),$(shell command -v em++)),$(live)/programs.js)
 live_scripts := $(addprefix doc/live/,ask.js draw.js controls.js figures.js stencil.js plane.js start.js)
 walkthrough := doc/walkthrough.md $(wildcard doc/live/*) figures/style.gp $(filter-out %.md doc/live,$(wildcard doc/*)) $(wildcard paper/* src/*/*.hpp) \

@@ -8,7 +8,7 @@ refusals := $(programs:$(bin)/%=$(bin)/refusals/%)
 $(refusals): $(bin)/refusals/%: $(BUILD)/src/programs/%.o $(BUILD)/tests/refusals/main.o $(claims)
 $(refusals): LDFLAGS := -Wl,--wrap=main
 
-verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare data with the committed, see that figures are whole
+verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare data with the committed, check that figures are whole and generated parts of pages are up to date
 	@bash tests/verify $(BUILD) $(tables) $(figures)
 
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: no unfinished file may look finished
@@ -59,7 +59,7 @@ coverage-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage $(BUILD)/coverage/bin/check build \
 	    OPTIMISE="-O1 -ffp-contract=off -Wno-maybe-uninitialized --coverage -fprofile-update=atomic"
 # The compiler's own additions to a struct count on the line where it begins; that line is not looked at.
-coverage: coverage-build ## run the tests on counting code; fail where a line of a section file is not reached
+coverage: coverage-build ## run the tests with gcov's counters; fail where a line of a section file is not reached
 	@find $(BUILD)/coverage -name '*.gcda' -delete
 	# Some runs may not write their counts.
 	GCOV_ERROR_FILE=/dev/null $(BUILD)/coverage/bin/check

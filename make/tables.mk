@@ -88,7 +88,7 @@ $(filter %/claims.csv,$(tables)): paper/claims.csv paper/papers.csv
 data/batra2008/claims.csv: data/batra2008/layouts.csv
 # Those about FPM in space, on tables of derivatives and of solutions.
 data/fpm_in_space/claims.csv: $(patsubst %,data/fpm_in_space/%.csv,plane space poisson poisson_draws poisson_in_space poisson_in_space_draws poisson_in_space_stretched literal rows layouts membrane plate hole hole_fpm_coarse)
-# A thread that waits leaves its processor to the table beside.
+# A waiting thread leaves its processor to other tables, which are computed at the same time.
 $(tables): export OMP_WAIT_POLICY := passive
 $(tables): data/%.csv: | data/BUILD-INFO.txt
 	@mkdir -p $(@D)
@@ -131,3 +131,4 @@ timings: $(bin)/plate ## measure what the methods cost on this machine, into dat
 	done | awk '!/^(#|method)/ || !seen[$$0]++' > $(BUILD)/seconds.csv
 	cp $(BUILD)/seconds.csv data/batra2008/seconds.csv.tmp.csv
 	mv data/batra2008/seconds.csv.tmp.csv data/batra2008/seconds.csv
+figures/batra2008/figure_seconds.svg: data/batra2008/seconds.csv

@@ -38,7 +38,7 @@ if (!user) {
     eval(triangle(2, 400, 8e-7, 2.5, 2))
 }
 moved_curves = second ? "second_order_fpm" : curves
-# An empty loop would draw once: what may be missing is a text.
+# gnuplot runs an empty loop once; so the parts of the plot that may be missing are macros.
 and_moved = words(perturbations) < 2 ? "" : ", for [name in moved_curves] \
     table using (moved(name) * column('particles')):'error_second' every (user ? 1 : 2) \
     with points linecolor rgb (second ? '#005a3c' : '#222222') pointtype 6 pointsize 1.1 \

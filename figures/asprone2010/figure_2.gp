@@ -42,7 +42,7 @@ if (!user) {
     eval(triangle(2, 30, 4e-6, 2.5, 2))
 }
 bands = both && has("error_displacement_lower") && strstrt(curves, "second_order_fpm") > 0
-# An empty loop would draw once: what may be missing is a text.
+# gnuplot runs an empty loop once; so the parts of the plot that may be missing are macros.
 band_key = !bands ? "" : ", keyentry with filledcurves fillcolor rgb '#7fc8a9' fillstyle transparent solid 0.5 noborder \
     title user ? 'quartiles' : 'quartiles, 51 seeds'"
 plot for [name in curves] left using (row(name, first) * column("particles")):"error_displacement" \

@@ -1,4 +1,4 @@
-# Map of orders: formulations, in each the five kernels, against h/δ; on particles at equal distances and on perturbed ones.
+# Map of orders: formulations, in each the kernels, against h/δ; on particles at equal distances and on perturbed ones.
 # A digit, the rounded order, holds up to the next one on its right. Crosses: too few neighbours, or a singular system.
 # Lightness falls as the order grows.
 curve_column = "formulation"; x_column = "smoothing"; y_column = "order_second"; signed = 1
@@ -46,7 +46,7 @@ do for [p = 1:2] {
         unset label
         if (q == 1) { do for [f = 1:words(shown)] { set label title(word(shown, f)) at graph 0, first 7 * f - 0.9 left font ",12" } }
         if (q == 3) {
-            do for [f = 1:words(shown)] { do for [k = 1:5] {
+            do for [f = 1:words(shown)] { do for [k = 1:words(letters)] {
                 set label word(letters, k) at graph 1.02, first 7 * (f - 1) + k left font ",9" textcolor rgb "#444444" } }
         }
         if (q == 3 && p == 2) {

@@ -1,5 +1,5 @@
 # Figure 11 of Batra and Zhang (2008): displacement u2 of the bottom edge on four grids, by each method, ρ = 4. Beyond the print the
-# lower row: the error, where the curves above fall together.
+# lower row: the error, where the curves above coincide.
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_11.csv"
 eval(picture(720, 640))

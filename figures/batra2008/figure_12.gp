@@ -1,5 +1,5 @@
 # Figure 12 of Batra and Zhang (2008): error norm (4.4) against the distance between particles, ρ = 4. The norm of the
-# difference would fall upon these curves.
+# difference would coincide with these curves.
 curve_column = "method"; x_column = "nx"; y_column = "log_error_dn"; signed = 1
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_12.csv"

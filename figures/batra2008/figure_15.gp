@@ -1,4 +1,4 @@
-# Figure 15 of Batra and Zhang (2008): the exact displacements of the quarter plate (top), and what the three methods deviate from them
+# Figure 15 of Batra and Zhang (2008): the exact displacements of the quarter plate (top), and the deviations of the three methods from them
 # with 188 particles. Each row has its own colours, between minus and plus its largest deviation.
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_15.csv"

@@ -1,5 +1,5 @@
 # Figure 8 of Batra and Zhang (2008): error norm (4.4) against the number of Gauss points along a radius, weak forms. The norm of the
-# difference would fall upon these curves. With 3 points weak1 lies low by accident.
+# difference would coincide with these curves. With 3 points weak1 lies low by accident.
 load "figures/style.gp"
 if (!exists("table")) table = "data/batra2008/figure_8.csv"
 set title "Error against the number of Gauss points, 16 × 4 particles"

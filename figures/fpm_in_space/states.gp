@@ -19,7 +19,7 @@ set cbrange [y_least == y_most ? 0.5 * y_least : y_least : y_most]
 set format cb "10^{%T}"
 set cblabel "error of " . (of_values ? "the value" : of_laplacian ? "the Laplacian" : "second derivatives")
 unset key
-# As few particles, as large symbols.
+# The fewer the particles, the larger the symbols.
 set pointsize strlen(values) < 9999 ? most(0.5, least(2.5, 40.0 / words(values)**0.6)) : 0.3
 set xlabel "x"; set ylabel "y"
 if (in_space) {

@@ -18,7 +18,7 @@ namespace batra2008 {
 /// | paper | code | meaning |
 /// | --- | --- | --- |
 /// | \f$L_1, L_2\f$ | `L1`, `L2` | length and width, 1 m and 0.2 m |
-/// | \f$F_0\f$ | `F0` | 10⁶, in N; a force for each unit of thickness |
+/// | \f$F_0\f$ | `F0` | 10⁶, in N; a force per unit thickness |
 /// | \f$E, \nu\f$ | `E`, `nu` | 226.9 GPa and 0.33 |
 /// | \f$\alpha\f$ | `penalty` | 10⁵ E0/L1 |
 ///

@@ -19,7 +19,8 @@ auto with_degree(const Discretisation& how, const Work& work) {
     if (how.degree == 2) return work(std::integral_constant<int, 2>{});
     if (how.degree == 3) return work(std::integral_constant<int, 3>{});
     if (how.degree == 1) return work(std::integral_constant<int, 1>{});
-    throw base::InvalidInput("monomials of degree 1, 2 or 3 are known, not " + std::to_string(how.degree));
+    throw base::InvalidInput("the degree of the monomials must be 1, 2 or 3, got " +
+                             std::to_string(how.degree));
 }
 
 /// Displacement and its gradient at a place.

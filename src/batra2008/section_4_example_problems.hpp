@@ -81,7 +81,7 @@ Vector displacement_at(const Cloud<2>& cloud, const Solution& solution, const Po
 /// Displacement and stress at any place of the body; the stress by the method's own first derivatives.
 State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& x);
 
-/// Beyond the print: how much of the unknowns the field does not show, measured in strains,
+/// Beyond the print: the largest difference between an unknown and the field, relative to strains,
 /// \f[ \max_I \frac{|u_I - u(x_I)|}{h_I} \Big/ \sqrt{\tfrac1N \sum_I |\nabla u(x_I)|^2}, \qquad
 ///     u(x_I) = \sum_J K_{1J}(x_I)\,u_J \f]
 ///

@@ -29,7 +29,7 @@ template <class Work>
 auto with_degree(int degree, const Work& work) {
     if (degree == 2) return work(std::integral_constant<int, 2>{});
     if (degree == 3) return work(std::integral_constant<int, 3>{});
-    throw base::InvalidInput("monomials of degree 2 or 3 are known, not " + std::to_string(degree));
+    throw base::InvalidInput("the degree of the monomials must be 2 or 3, got " + std::to_string(degree));
 }
 
 template <int dim, int m>
@@ -161,7 +161,7 @@ Weights<dim> Approximation<dim>::at_particle(Index I, Derivatives which) const {
         throw base::FailedComputation("fpm: at " + particles::shown_point(x) + " there are " +
                                       std::to_string(near.size()) + " particles within " +
                                       particles::shown(cut<dim> * h_[I]) + ", and " + error.what() + "; " +
-                                      smoothing_that_determines(*this) + "take more particles or other ones");
+                                      smoothing_that_determines(*this) + "take more or other particles");
     }
 }
 

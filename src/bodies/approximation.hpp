@@ -23,7 +23,6 @@ using particles::second_derivatives;
 /// others.
 enum class Method { fpm, strong, weak1, weak2, hats };
 
-/// All methods by their names.
 const std::vector<std::pair<std::string, Method>>& methods();
 
 std::string name(Method method);
@@ -69,14 +68,14 @@ Eigen::Matrix<double, n, columns> combined(const std::vector<int>& particle,
 /// Which derivatives are asked for.
 enum class Derivatives { first, second };
 
-/// The function that the unknowns of the particles stand for.
+/// The field that the unknowns of the particles define.
 ///
 /// With an SSPH basis it is the field \f$\sum_J K_{1J} u_J\f$. With FPM the unknowns are its values, and
 /// between the particles it is the Taylor polynomial of degree 2 of the nearest one.
 template <int dim>
 class Approximation {
   public:
-    /// \throws base::InvalidInput for a method that does not work in this dimension
+    /// \throws base::InvalidInput as particles::spacing(), such as for a wrong number of given lengths
     Approximation(Cloud<dim> cloud, const Discretisation& how);
 
     [[nodiscard]] const Cloud<dim>& cloud() const { return cloud_; }
@@ -84,7 +83,7 @@ class Approximation {
     /// Smoothing length of each particle. [length]
     [[nodiscard]] const Column<double>& h() const { return h_; }
 
-    /// The kernel of FPM, with these lengths as multiples of the spacing.
+    /// The kernel of FPM, its smoothing lengths given as multiples of the spacing.
     [[nodiscard]] particles::Smoothing<double, dim> smoothing() const;
 
     /// At a particle.
@@ -97,8 +96,8 @@ class Approximation {
     /// The same from few neighbours, for a preconditioner.
     [[nodiscard]] Weights<dim> at_particle_from_nearest(Index I, Index enough) const;
 
-    /// The same at a place of which the smoothing length and the particles to choose from are known: an SSPH
-    /// basis. \param among in increasing order
+    /// At any place with a given smoothing length and given particles to choose from, for an SSPH basis.
+    /// \param among particles, in increasing order
     [[nodiscard]] Weights<dim> at(const Point<dim>& x, double h, const std::vector<int>& among,
                                   Derivatives which = Derivatives::first) const;
 

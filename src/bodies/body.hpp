@@ -9,7 +9,7 @@
 #include "particles/points.hpp"
 #include "particles/region.hpp"
 
-/// Boundary-value problems on a body of the reader's: any shape in the plane or in space, with named sides.
+/// Boundary-value problems on a user's body: any shape in the plane or in space, with named sides.
 ///
 /// A Problem on a Body has n unknowns at each particle, a displacement or one scalar. Its Equation is a
 /// balance,
@@ -60,15 +60,15 @@ template <int dim>
 struct Body {
     Points<dim> x;                                  ///< positions, a column for each particle [length]
     std::vector<Side<dim>> sides;                   ///< all of the boundary, each part once
-    std::vector<std::array<int, dim + 1>> cells{};  ///< triangles or tetrahedra, for drawings only
-    double gap = 0;  ///< largest distance between the pieces and the shape that was meant [length]
+    std::vector<std::array<int, dim + 1>> cells{};  ///< triangles or tetrahedra; empty without a mesh
+    double gap = 0;  ///< largest distance between the pieces and the true shape, estimated [length]
 };
 
-/// The side that has a name. \throws base::InvalidInput with the names that there are
+/// The side of this name. \throws base::InvalidInput with the names of all sides
 template <int dim>
 const Side<dim>& side_named(const Body<dim>& body, const std::string& name);
 
-/// Whether a side is what remains of the boundary when all names are given: it can carry no condition.
+/// Whether a side is the rest of the boundary, which has no name and can carry no condition.
 inline bool is_unnamed(const std::string& name) {
     return name.empty();
 }

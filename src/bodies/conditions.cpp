@@ -227,7 +227,7 @@ std::vector<std::vector<int>> parts(const Body<dim>& body) {
     return all;
 }
 
-/// A motion without strain that conditions leave free, in words; empty if there is none.
+/// A rigid-body motion that the conditions leave free, in words; empty if there is none.
 template <int dim>
 std::string free_motion(const Body<dim>& body, const std::vector<int>& part,
                         const Conditions<dim, dim>& conditions) {

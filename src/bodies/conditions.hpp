@@ -27,18 +27,18 @@ using Conditions = std::vector<std::vector<Condition<dim, n>>>;
 /// At an edge or a corner several sides meet. A given value goes before a load; of two values, or of two
 /// loads, that of the side named first holds. The shear that a plane of symmetry excludes comes after loads
 /// that are named, and a free side comes last. Problem::corners overrides this.
-/// \throws base::InvalidInput for a side that the body does not have, for one named twice, and for a
-///         component of which value and load are given
-/// \throws base::FailedComputation naming the particle and the side where a given function is not finite
+/// \throws base::InvalidInput for a side that the body does not have, for a side given twice, and for a
+///         corner with a wrong number of conditions or with a condition from a third side
+/// \throws base::FailedComputation naming the side and the place where a given function is not finite
 template <int dim, int n>
 Conditions<dim, n> conditions(const Problem<dim, n>& problem, const Body<dim>& body);
 
-/// Refuses a choice at a corner of sides that meet at no particle: it would go unnoticed.
+/// Refuses a Corner whose sides meet at no particle: it would have no effect.
 /// \throws base::InvalidInput naming the sides
 template <int dim, int n>
 void require_corners(const Problem<dim, n>& problem, const Body<dim>& body);
 
-/// Refuses a problem whose body can move as a whole, or a scalar that is known up to a constant.
+/// Refuses a body that can move as a rigid body, and a scalar determined only up to a constant.
 /// \throws base::InvalidInput naming the motion
 template <int dim, int n>
 void require_held(const Problem<dim, n>& problem, const Body<dim>& body,

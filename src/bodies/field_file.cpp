@@ -24,7 +24,7 @@ void check(const Body<dim>& body, const NamedField& field) {
                                           particles::shown_point(body.x.col(j)));
 }
 
-/// The numbers in the fewest digits from which they can be read again, and a line end.
+/// Numbers in the fewest digits that read back exactly, and a line end.
 template <class Numbers>
 void append(std::string& text, const Numbers& numbers) {
     std::array<char, 32> digits{};
@@ -48,7 +48,7 @@ std::string data_array(const std::string& name, const std::string& type, const N
     return text + "</DataArray>\n";
 }
 
-/// What follows how the cells lie: corners of each, one after another; where each ends; and their kind.
+/// VTK's element Cells: the corners of all cells in sequence, where each cell ends, and the cell type.
 std::string cells_of(const Eigen::MatrixXi& corners, int kind) {
     const Index count = corners.cols();
     const Eigen::RowVectorXi ends = Eigen::RowVectorXi::LinSpaced(count, 1, static_cast<int>(count)) *
@@ -101,8 +101,8 @@ report::Table table(const Body<dim>& body, const std::vector<NamedField>& fields
 
 void check_field_path(const std::string& path) {
     if (!path.ends_with(".vtu") && !path.ends_with(".csv"))
-        throw base::InvalidInput(
-            "--field " + path + " is no file for a field; let its name end with .vtu, for ParaView, or .csv");
+        throw base::InvalidInput("--field " + path +
+                                 ": the name must end with .vtu, for ParaView, or with .csv");
 }
 
 template <int dim>

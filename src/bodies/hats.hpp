@@ -14,16 +14,16 @@ namespace bodies {
 ///     \,d\Omega + \int_\Gamma a\,W_I u_i\,d\Gamma = \int_\Omega W_I b_i\,d\Omega + \int_\Gamma W_I
 ///     (t_i + a\,u_0)\,d\Gamma \f]
 ///
-/// The function u is that of the particles, an SSPH field as in weak1 of Batra and Zhang; the cells carry the
-/// test functions alone. The hats add up to one, and weighted with their places to the place: forces and
-/// moments are in equilibrium to the last bit, whatever the approximation. Loads enter as integrals, on
-/// edges and at corners those of all sides. Where a value is given, \eq{B3.13} stands in the place of the
-/// particle's equation. Integrals over a cell take the integrand at its centre.
+/// The trial function u is that of the particles, an SSPH field as in weak1 of Batra and Zhang; the cells
+/// carry the test functions alone. The hats sum to one, and with the particles' positions as weights to the
+/// position: forces and moments balance to round-off, whatever the approximation. Loads enter as integrals;
+/// at edges and corners those of all sides add up. Where a value is given, \eq{B3.13} replaces the particle's
+/// equation. Integrals over a cell take the integrand at its centre.
 template <int dim, int n>
 class Hats {
   public:
-    /// \throws base::InvalidInput for a body without cells, and for one whose cells do not have its pieces as
-    ///         their boundary
+    /// \throws base::InvalidInput for a body without cells, and for a given side with an arc or with a corner
+    ///         where no particle lies
     Hats(const Problem<dim, n>& problem, const Body<dim>& body, const Approximation<dim>& approximation);
 
     /// The equations, with a preconditioner if they are many: those of linear elements on the same cells.
@@ -37,7 +37,7 @@ class Hats {
     /// \f$\int W_I\,d\Omega\f$
     [[nodiscard]] double volume(Index I) const;
 
-    /// What the equation of a particle leaves: where values are given, the reaction. [force]
+    /// The residual of a particle's equations; where values are given, the reaction. [force]
     [[nodiscard]] Values<n> residual(Index particle, const Eigen::VectorXd& u) const;
 
   private:

@@ -15,7 +15,7 @@ struct IntegrationPoint {
 };
 
 /// Points on a side, whose weights sum to its length or area.
-/// \param spacing distance of the particles, at which functions may change [length]
+/// \param spacing largest length of a panel of a segment or an arc; triangles are not divided [length]
 template <int dim>
 std::vector<IntegrationPoint<dim>> rule_on(const Side<dim>& side, double spacing);
 

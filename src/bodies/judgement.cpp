@@ -44,7 +44,7 @@ std::vector<Values<n>> consistent_reactions(const Problem<dim, n>& problem, cons
 template <int n>
 struct Acting {
     Values<n> applied = Values<n>::Zero();                                     ///< the load
-    Eigen::Matrix<double, n, n> valued = Eigen::Matrix<double, n, n>::Zero();  ///< onto given values
+    Eigen::Matrix<double, n, n> valued = Eigen::Matrix<double, n, n>::Zero();  ///< projection on given values
 };
 
 /// \param given of the side, or null for a free one \param u the solution there
@@ -62,13 +62,13 @@ Acting<n> acting(const Given<dim, n>* given, const IntegrationPoint<dim>& at, co
     return here;
 }
 
-/// Share of the given loads' parts up to which their sum may be round-off.
+/// Relative tolerance below which a sum of loads counts as round-off of its parts.
 constexpr double cancelled = 1e-6;
 
-/// Relative error of a value or of surroundings that a user gives.
+/// Relative error of a given value or surroundings, as the user writes them.
 constexpr double of_given = 1e-14;
 
-/// The force between neighbouring particles whose values differ by u. [force/area]
+/// The size of F where the values of neighbouring particles differ by u. [force/area]
 template <int dim, int n>
 double force(const Sums<n>& sums, const Extent<dim>& extent, double u) {
     return sums.coefficient * u / extent.spacing();
@@ -80,7 +80,7 @@ double size_of_terms(const Sums<n>& sums, const Extent<dim>& extent) {
     return force(sums, extent, std::max(sums.largest_u, of_given / round_off_of_terms * sums.level));
 }
 
-/// The size up to which a load is round-off of these terms.
+/// Size below which a load is round-off of the terms of F. [force/area]
 template <int dim, int n>
 double least_load(const Sums<n>& sums, const Extent<dim>& extent) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -93,7 +93,6 @@ double share_of_terms(const Sums<n>& sums, const Extent<dim>& extent) {
     return terms > 0 ? std::sqrt(sums.sizes / sums.area) / terms : 0;
 }
 
-/// Adds what a side has.
 template <int dim, int n>
 void add_side(Sums<n>& sums, const Side<dim>& side, const Problem<dim, n>& problem,
               const Solution<dim, n>& solution, double spacing) {
@@ -134,13 +133,13 @@ Forces<n> forces_in(const std::vector<IntegrationPoint<dim>>& volume, const Prob
     return all;
 }
 
-/// The sizes of forces whose sum is zero at rest.
+/// Sizes of the forces that balance.
 struct Sizes {
     double loads = 0, reactions = 0;  ///< the latter of each side as a whole
     double reaction_integrals = 0, parts = 0;
     double terms = 0, least_load = 0;  ///< as integrals
 
-    /// Where nothing is left but differences, their sum is round-off of its parts, or of the terms of F.
+    /// Sum of the sizes; at least the round-off of their parts and, without loads, of the terms of F.
     [[nodiscard]] double total(bool is_scalar) const {
         const bool may_cancel = is_scalar || loads == 0;
         const double least = loads > least_load ? 0 : round_off_of_terms * terms;
@@ -149,7 +148,6 @@ struct Sizes {
     }
 };
 
-/// Adds what the particles have.
 template <int dim, int n>
 void add_particles(Sums<n>& sums, const Solution<dim, n>& solution, const std::vector<int>& own) {
     const Approximation<dim>& approximation = solution.approximation;

@@ -7,42 +7,44 @@
 #include "bodies/integrals.hpp"
 #include "bodies/solution.hpp"
 
-// What a solution says of itself, without a reference: whether its forces are in equilibrium, whether its
+// Error measures of a solution without a reference: whether its forces are in equilibrium, whether its
 // stresses meet the loads, and whether its unknowns alternate.
 namespace bodies {
 
-/// What acts on a body, each side by itself. [force, in the plane for each unit of thickness; or heat]
+/// What acts on a body, each side by itself. [force, in the plane per unit thickness; or heat]
 template <int n>
 struct Balance {
     std::vector<std::pair<std::string, Values<n>>> loads;      ///< given, by side
     std::vector<std::pair<std::string, Values<n>>> reactions;  ///< of given values, by side
     Values<n> volume;  ///< of the body force or the source, less the reaction c u
-    /// What is left of the sum, over half of the sizes: of the loads as an integral, and of the reactions.
-    /// Those of a scalar, and those of a body without loads, are integrals, too, since they may cancel on a
-    /// side.
+    /// The sum of all forces over half of the sum of their sizes. The size of a load is an integral, that of
+    /// a reaction the size of the side's resultant; for a scalar, and without loads, it is an integral, too,
+    /// since reactions may cancel on a side.
     double defect = 0;
 };
 
-/// What a solution says of itself.
+/// The error measures of a solution.
 template <int n>
 struct Judgement {
-    /// How much of the unknowns the function does not show, as batra2008::example_problems::noise().
+    /// Largest difference of an unknown from the field, over h and relative to the gradients, as
+    /// batra2008::example_problems::noise().
     double noise;
     /// How far the solution's own load \f$F n\f$ is from the given one, zero on free sides: root mean
     /// squares over the boundary, relative to that of F. It shows stresses that are wrong where displacements
     /// are right, as in a material that is nearly incompressible.
     double missed_loads;
-    /// The reactions of `hats` are what the equations of the particles leave, in equilibrium with the loads
-    /// to the last bit; those of the other methods are integrals of the solution's own load over the sides
-    /// with given values, and their defect tells whether the stresses can be trusted.
+    /// The reactions of `hats` are the residuals of the particles' equations, in equilibrium with the loads
+    /// to round-off; those of the other methods are integrals of the solution's own load over the sides with
+    /// given values, and their defect tells whether the stresses can be trusted.
     Balance<n> balance;
-    /// Root mean square of F over the boundary, as a share of the terms that F sums. Up to
-    /// round_off_of_terms, F may be round-off, as in a body that only moves: then noise and defect are measured
-    /// against the terms, and missed_loads against the loads; without loads, nothing is missed.
+    /// Root mean square of F over the boundary, relative to the terms whose sum is F. Where it is at most
+    /// round_off_of_terms, F may be round-off, as in a rigid-body motion. Then noise is 0, and missed_loads
+    /// is relative to the loads, or 0 without loads. Without loads, the defect is relative to no less than
+    /// round_off_of_terms times the terms.
     double share_of_terms;
 };
 
-/// Judgement::share_of_terms of a solution that hardly varies.
+/// Largest Judgement::share_of_terms at which F may be round-off.
 inline constexpr double round_off_of_terms = 1e-9;
 
 template <int dim, int n>
@@ -66,8 +68,8 @@ template <int n>
 struct Forces {
     Integral<n> load;      ///< that is given
     Integral<n> reaction;  ///< the solution's own load where a value is given
-    double parts = 0;  ///< the sizes of what is subtracted in a load, such as a u0 and a u, as an integral
-    double area = 0;   ///< of the side
+    double parts = 0;      ///< integral of the sizes of the terms of a load, such as a u0 and a u
+    double area = 0;       ///< of the side
 };
 
 /// The numbers that a judgement is made of, except for `hats`. Those of the parts of a body give those of the
@@ -82,8 +84,8 @@ struct Sums {
     double largest_u = 0, level = 0, coefficient = 0;  ///< sizes
 };
 
-/// Calls `add` for each number that is a sum over the parts of a body, and `most` for each that is the largest
-/// of those of the parts.
+/// Calls `add` for each number that is a sum over the parts of a body, and `most` for each that is the
+/// largest over the parts.
 template <int n, class Add, class Most>
 void combine(Sums<n>& sums, const Add& add, const Most& most) {
     const auto forces = [&](Forces<n>& of) {
@@ -125,9 +127,9 @@ Extent<dim> extent_of(const Body<dim>& body);
 template <int dim, int n>
 Judgement<n> judgement(const Problem<dim, n>& problem, const Sums<n>& sums, const Extent<dim>& extent);
 
-/// The particles that see others across a gap: no edges of cells lead from the one to the other among its
-/// neighbours, as where a slot is narrower than the kernel's support. Their equations do not know of the gap.
-/// None of a body without cells.
+/// Particles with a neighbour across a gap: no path of cell edges within the neighbourhood leads to it, as
+/// where a slot is narrower than the kernel's support. Their equations do not know of the gap. None without
+/// cells.
 template <int dim>
 std::vector<Index> across_gaps(const Body<dim>& body, const Approximation<dim>& approximation);
 

@@ -27,11 +27,12 @@ void check_cells(const Mesh<dim>& mesh) {
         for (const int node : cell)
             if (!at(mesh, node).allFinite())
                 throw InvalidInput("a node lies at " + shown_point(at(mesh, node)) +
-                                   "; positions must be finite, mesh it anew");
+                                   "; positions must be finite, remesh the body");
         const Edges<dim> all = edges(mesh, cell);
         if (!(std::abs(all.determinant()) > negligible * std::pow(all.colwise().norm().maxCoeff(), dim)))
-            throw InvalidInput("the cell at " + shown_point(middle(mesh, cell)) + " has no " +
-                               (dim == 2 ? "area; remove it, or mesh anew" : "volume; mesh anew"));
+            throw InvalidInput(
+                "the cell at " + shown_point(middle(mesh, cell)) + " has no " +
+                (dim == 2 ? "area; remove it, or remesh the body" : "volume; remesh the body"));
     }
 }
 

@@ -13,9 +13,9 @@ namespace bodies {
 template <int dim>
 struct Patch {
     int number = 0;                  ///< of the curve or the surface in the drawing, for messages
-    std::vector<std::string> sides;  ///< the sides that it belongs to; one, or none where it has no name
+    std::vector<std::string> sides;  ///< names of its physical groups; more than one is refused
     std::vector<std::array<int, dim>> facets;
-    std::map<int, Point<dim>> normals{};  ///< of its nodes, where the shape is known; either way round
+    std::map<int, Point<dim>> normals{};  ///< of its nodes, where the shape is known; of either sign
 };
 
 /// A mesh of a body as its file has it.
@@ -26,8 +26,8 @@ struct Mesh {
     std::vector<Patch<dim>> patches;
 };
 
-/// \throws base::InvalidInput for a mesh without cells, positions that are not finite, and a cell without area
-///         or volume
+/// \throws base::InvalidInput for a mesh without cells, positions that are not finite, and a cell without
+///         area or volume
 template <int dim>
 void check_cells(const Mesh<dim>& mesh);
 

@@ -69,7 +69,7 @@ std::vector<Outer<dim>> outer_facets(const Mesh<dim>& mesh, const std::vector<Fa
         } else if (last - first > 2 || sum != 0) {
             throw InvalidInput("cells overlap beside the facet at " +
                                shown_point(middle(mesh, first->nodes)) +
-                               "; remove those that are there twice, or draw the union of the parts");
+                               "; remove duplicate cells, or draw the union of the parts");
         }
         first = last;
     }
@@ -101,7 +101,7 @@ void check_uncovered(const Mesh<dim>& mesh, const std::vector<Outer<dim>>& outer
     if (first < static_cast<int>(outer.size()))
         throw InvalidInput("behind the facet at " +
                            shown_point(middle(mesh, outer[static_cast<std::size_t>(first)].nodes)) +
-                           " lies a cell that does not share it: cells must fit together; mesh anew");
+                           " lies a cell that does not share it: cells must fit together; remesh the body");
 }
 
 const char* kind(int dim) {
@@ -120,7 +120,7 @@ std::string group(const Patch<dim>& patch) {
 }
 
 /// Says of each facet of the boundary to which patch it belongs.
-/// \throws InvalidInput for names inside the body or beside it, and for two names
+/// \throws InvalidInput for a named facet inside the body or on no cell, and for a facet with two names
 template <int dim>
 void assign(const Mesh<dim>& mesh, const std::vector<Facet<dim>>& facets, std::vector<Outer<dim>>& outer) {
     std::map<Nodes<dim>, Outer<dim>*> sorted;
@@ -139,7 +139,7 @@ void assign(const Mesh<dim>& mesh, const std::vector<Facet<dim>>& facets, std::v
                 if (patch.sides.empty()) continue;
                 if (std::binary_search(facets.begin(), facets.end(), Facet<dim>{key, 0}, before<dim>))
                     throw InvalidInput(group(patch) + " lies inside the body" + where +
-                                       ": it has no cracks and no interfaces; take " + name(patch) +
+                                       ": a body has no cracks and no interfaces; take " + name(patch) +
                                        " out of this group");
                 throw InvalidInput(group(patch) + " borders no cell" + where + "; take " + name(patch) +
                                    " out of this group, or add the part that it borders to the body");

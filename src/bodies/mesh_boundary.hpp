@@ -16,7 +16,8 @@ struct Outer {
 
 /// The boundary of a mesh: the facets of one cell only, by increasing nodes.
 /// \throws base::InvalidInput for a facet with two cells on one side; for one behind which lies a cell that
-///         does not share it; for names inside the body or beside it; for a facet with two names; and for a part without a name where others have one
+///         does not share it; for a named facet inside the body or on no cell; for a facet with two names;
+///         and for a part without a name where others have one
 template <int dim>
 std::vector<Outer<dim>> boundary_of(const Mesh<dim>& mesh);
 

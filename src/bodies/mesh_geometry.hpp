@@ -24,8 +24,8 @@ Point<dim> middle(const Mesh<dim>& mesh, const std::array<int, count>& nodes) {
     return sum / static_cast<double>(count);
 }
 
-/// Length or area of a facet times its unit normal: to the right of a segment; towards those who see the
-/// corners of a triangle run counter-clockwise.
+/// Length or area of a facet times its unit normal. The normal points to the right of a segment; from its tip
+/// the corners of a triangle run counter-clockwise.
 template <int dim>
 Point<dim> area(const Mesh<dim>& mesh, const Nodes<dim>& facet) {
     const Point<dim> a = at(mesh, facet[1]) - at(mesh, facet[0]);

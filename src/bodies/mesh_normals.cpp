@@ -9,8 +9,8 @@ namespace bodies {
 
 namespace {
 
-/// Cosines of the angles up to which pieces meet smoothly, normals of a side are one, and the normal of a
-/// shape is believed beside that of its piece: 40, 20 and 60 degrees.
+/// Cosines of three angles: 40°, up to which pieces meet smoothly; 20°, up to which normals of a side are
+/// merged; 60°, up to which the normal of the shape may differ from that of a piece.
 const double smooth = std::cos(std::acos(-1.0) * 40 / 180), alike = std::cos(std::acos(-1.0) * 20 / 180),
              plausible = 0.5;
 
@@ -43,7 +43,7 @@ class Meeting {
         : mesh_(mesh), outer_(outer), corners_(std::move(corners)) {}
 
     /// Sets the normals of the shape at the facets' corners here.
-    /// \return the normals, of which those that are alike are one
+    /// \return the normals, similar ones merged
     std::vector<Point<dim>> normals() {
         std::vector<Point<dim>> found;
         const auto together = [&](std::size_t a, std::size_t b) {

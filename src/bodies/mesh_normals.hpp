@@ -12,8 +12,8 @@ struct FacetCorner {
     std::size_t facet, corner;
 };
 
-/// The normals at a node where facets of one side meet. Those of the shape are set at the facets' corners
-/// there. \return the normals, of which those that are alike are one
+/// The normals at a node where facets of one side meet. Sets the normals of the shape at the facets' corners
+/// there. \return the normals, similar ones merged
 template <int dim>
 std::vector<Point<dim>> normals_at(const Mesh<dim>& mesh, std::vector<Outer<dim>>& outer,
                                    const std::vector<FacetCorner>& corners);

@@ -73,7 +73,7 @@ bool serves(const Cloud<dim>& cloud, const particles::Smoothing<double, dim>& tr
     return largest_quality<dim>(weights, near.r, k, exact_of_fpm) <= ssph_basis::most;
 }
 
-/// What helps where the derivatives of a particle by FPM cannot be trusted: the end of a sentence.
+/// The remedy, the end of a message, where the derivatives of a particle by FPM cannot be trusted.
 template <int dim>
 std::string another_smoothing(const Approximation<dim>& approximation, const std::vector<int>& order,
                               Index worst) {

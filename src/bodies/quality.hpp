@@ -29,7 +29,7 @@ template <int dim>
 Quality checked_quality(const Body<dim>& body, const Approximation<dim>& approximation,
                         const std::vector<int>& order);
 
-/// ", or the method hats" where that is another method, which works on the body.
+/// ", or the method hats"; empty for hats itself, and for a body without cells.
 template <int dim>
 std::string or_hats(const Body<dim>& body, Method method) {
     return body.cells.empty() || method == Method::hats ? "" : ", or the method hats";

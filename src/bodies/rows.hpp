@@ -9,11 +9,10 @@
 // Rows of a linear system: how the unknowns of some particles enter an equation.
 namespace bodies {
 
-/// Factors of the n unknowns, a row for each of some particles.
+/// Coefficients of the n unknowns in an equation, a row for each of some particles.
 template <int n>
 using Factors = Eigen::Array<double, Eigen::Dynamic, n>;
 
-/// An equation.
 template <int n>
 struct Row {
     Factors<n> factors;
@@ -43,7 +42,7 @@ System empty_system(const std::vector<std::vector<int>>& near, Wanted wanted, In
     return system;
 }
 
-/// Adds factors on some particles to those on more, in increasing order.
+/// Adds coefficients of some particles to those of more particles, both in increasing order.
 template <int n>
 void add(Factors<n>& sum, const std::vector<int>& among, const Factors<n>& more,
          const std::vector<int>& particle) {
@@ -54,7 +53,6 @@ void add(Factors<n>& sum, const std::vector<int>& among, const Factors<n>& more,
     }
 }
 
-/// Writes a row of a matrix.
 template <int n>
 void set_row(solvers::SparseRows& A, Index row, const std::vector<int>& particle, const Factors<n>& factors) {
     if constexpr (n == 1) solvers::set_row(A, row, particle, factors.col(0));

@@ -28,12 +28,12 @@ System system_of(const Problem<dim, n>& problem, const Body<dim>& body,
     if (method == Method::strong || method == Method::fpm)
         return collocated(problem, conditions, approximation, wanted);
     if constexpr (dim == 2) return on_discs(problem, body, approximation, wanted);
-    throw base::InvalidInput(name(method) + ": works in the plane; in space take " +
+    throw base::InvalidInput(name(method) + ": works only in the plane; in space take " +
                              (body.cells.empty() ? "" : "hats, ") + "fpm or strong");
 }
 
-/// Quality number above which hats do without monomials of degree 3. It is 2 to 3 in the plane, 10 to 20 in
-/// space, and 287 in a fin of two cells, whose temperature is then wrong.
+/// Quality number above which hats fall back from degree 3 to 2. It is 2 to 3 in the plane, 10 to 20 in
+/// space, and 287 in a fin two cells wide, whose temperature is then wrong.
 constexpr double most_for_cubic_hats = 50;
 
 /// The equations of a problem by a method, and what they were made of.
@@ -57,7 +57,7 @@ Equations<dim> equations_as_asked(const Problem<dim, n>& problem, const Body<dim
     return {std::move(approximation), std::move(quality), std::move(system)};
 }
 
-/// For hats whose neighbours do not determine monomials of degree 3 well, with those of degree 2.
+/// Hats fall back to degree 2 where the neighbours do not determine monomials of degree 3 well.
 template <int dim, int n>
 Equations<dim> equations(const Problem<dim, n>& problem, const Body<dim>& body,
                          const Conditions<dim, n>& conditions, Discretisation how, Wanted wanted) {
@@ -98,8 +98,9 @@ template <int dim, int n>
 State<dim, n> state_above_level(const Problem<dim, n>& problem, const Solution<dim, n>& solution,
                                 const Point<dim>& x) {
     const Weights<dim> at = solution.approximation.at(x);
-    State<dim, n> state{
-        combined<n>(at.particle, at.value, solution.above), combined<n>(at.particle, at.first, solution.above), {}};
+    State<dim, n> state{combined<n>(at.particle, at.value, solution.above),
+                        combined<n>(at.particle, at.first, solution.above),
+                        {}};
     const auto A = problem.equation.A(x);
     for (int i = 0; i < n; ++i)
         for (int a = 0; a < dim; ++a) {
@@ -138,9 +139,8 @@ std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>&
 
 void require_modes(Index particles, Index count) {
     if (count < 1 || count > particles / 2)
-        throw base::InvalidInput("a body of " + std::to_string(particles) + " particles has from 1 to " +
-                                 std::to_string(particles / 2) + " modes worth computing, not " +
-                                 std::to_string(count));
+        throw base::InvalidInput("ask for 1 to " + std::to_string(particles / 2) + " modes on " +
+                                 std::to_string(particles) + " particles, got " + std::to_string(count));
 }
 
 std::vector<double> vibrations(const std::vector<std::complex<double>>& eigenvalues, Method method,
@@ -151,7 +151,7 @@ std::vector<double> vibrations(const std::vector<std::complex<double>>& eigenval
             throw base::FailedComputation(
                 name(method) + ": the eigenvalue " + base::shown(lambda.real(), 4) +
                 (lambda.imag() == 0 ? "" : " with an imaginary part of " + base::shown(lambda.imag(), 2)) +
-                " is that of no vibration; take more particles" + or_else);
+                " does not belong to a vibration; take more particles" + or_else);
         all.push_back(lambda.real());
     }
     std::sort(all.begin(), all.end());

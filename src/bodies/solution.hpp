@@ -9,7 +9,7 @@
 
 namespace bodies {
 
-/// A solution: the unknowns, and what makes them a function.
+/// A solution: the unknowns, and the approximation that makes a field of them.
 template <int dim, int n>
 struct Solution {
     Approximation<dim> approximation;
@@ -17,18 +17,18 @@ struct Solution {
     Column<double> R;               ///< quality number of each particle's derivatives, particles::quality()
     double quality = 0;             ///< R of the worst row
     Index worst = 0;                ///< its particle
-    /// Unknowns less the level, n of each particle, neighbours of one another.
+    /// Unknowns less the level; the n of a particle are adjacent.
     Eigen::VectorXd above;
-    /// A value that is given of a scalar, range_of(): small differences of large values keep their digits.
+    /// Given value of a scalar nearest to zero, range_of(): small differences of large values keep digits.
     double level = 0;
 
     /// The unknowns.
     [[nodiscard]] Eigen::VectorXd u() const { return above.array() + level; }
 };
 
-/// Hats of degree 3 take monomials of degree 2 where the neighbours determine more badly; the solution tells,
-/// by Approximation::how().
-/// \throws base::InvalidInput for a problem without meaning and for a method that does not work on this body
+/// The solution of a problem. Hats of degree 3 fall back to degree 2 where the neighbours determine the
+/// monomials of degree 3 badly; Approximation::how() of the solution has the degree used.
+/// \throws base::InvalidInput for an ill-posed problem and for a method that does not work on this body
 /// \throws base::FailedComputation where the method cannot solve it
 template <int dim, int n>
 Solution<dim, n> solve(const Problem<dim, n>& problem, const Body<dim>& body, const Discretisation& how);
@@ -62,23 +62,23 @@ template <int dim, int n>
 std::vector<double> eigenvalues(const Problem<dim, n>& problem, const Body<dim>& body,
                                 const Discretisation& how, Index count);
 
-/// \throws base::InvalidInput unless a body of so many particles has so many modes worth computing
+/// \throws base::InvalidInput unless count is between 1 and half of the number of particles
 void require_modes(Index particles, Index count);
 
 /// The eigenvalues as real numbers, in increasing order. \param or_else another remedy, the end of a message
-/// \throws base::FailedComputation for one that is not real and positive
+/// \throws base::FailedComputation for a negative one, and for an imaginary part above 1 % of the size
 std::vector<double> vibrations(const std::vector<std::complex<double>>& eigenvalues, Method method,
                                const std::string& or_else = "");
 
 /// A quantity on three clouds, each finer than the one before by the same ratio.
 struct Extrapolated {
-    double order;        ///< observed; NaN where the differences do not decrease
-    double value;        ///< that of the finest, and what is left by the observed order
-    double uncertainty;  ///< 1.25 |f3 − f2|/(r^p − 1); three times the range for an order that cannot be
+    double order;        ///< observed; NaN unless the differences have one sign and an order in range
+    double value;        ///< Richardson's extrapolation by this order; f3 where the order is NaN
+    double uncertainty;  ///< 1.25 |f3 − f2|/(r^p − 1); three times the range where the order is NaN
 };
 
-/// Roache's grid convergence index with a factor of 1.25. \param ratio r of the spacings \param formal order
-///         of the method: an observed order counts between 0.5 and formal + 1
+/// Roache's grid convergence index with a factor of 1.25. \param ratio r of the spacings
+/// \param formal order of the method: an observed order is in range between 0.5 and formal + 1
 Extrapolated extrapolated(double f1, double f2, double f3, double ratio, double formal);
 
 }  // namespace bodies

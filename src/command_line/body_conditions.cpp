@@ -42,16 +42,16 @@ void add_options(CommandLine& app, TypedProblem& typed) {
     on_side("--displacement", "\"NAME: UX,UY[,UZ]\"",
             "displacements of a side; a lone dash leaves a component free");
     on_side("--traction", "\"NAME: TX,TY[,TZ]\"",
-            "forces for each unit of area on a side; tractions and pressures of a side add");
+            "force per unit area on a side; tractions and pressures on the same side add up");
     on_side("--pressure", "\"NAME: P\"", "pressure on a side; a positive one pushes");
-    app.add_option("--body-force", typed.body_force, "forces for each unit of volume")
-        .type_name("\"BX,BY[,BZ]\"");
+    app.add_option("--body-force", typed.body_force, "force per unit volume").type_name("\"BX,BY[,BZ]\"");
     on_side("--value", "\"NAME: U\"", "the scalar on a side");
     on_side("--flux", "\"NAME: Q\"", "k du/dn on a side: a positive one heats the body");
     on_side("--convection", "\"NAME: A,U0\"", "-k du/dn = A (u - U0) on a side");
     app.add_option("--source", typed.source, "the source f of the scalar").type_name("F");
     app.add_option("--conductivity", typed.conductivity, "the conductivity k (default 1)").type_name("K");
-    app.add_option("--reaction", typed.reaction, "c of a term c u, as of an elastic bed (default 0)")
+    app.add_option("--reaction", typed.reaction,
+                   "c of the term c u, such as an elastic foundation (default 0)")
         .type_name("C");
     app.add_repeated("--corner", typed.corners,
                      "where two sides meet: for each component, the side whose condition holds")

@@ -73,7 +73,7 @@ class Outline {
         for (Polyline& side : sides_) sort(side);
     }
 
-    /// The length beside which 1e-8 of it does not count: the diagonal of the box around the boundary.
+    /// Diagonal of the bounding box of the boundary: lengths below 1e-8 of it count as zero.
     [[nodiscard]] double size() const {
         Point<2> low = sides_[0].vertices[0].x, high = low;
         for (const Polyline& side : sides_)
@@ -84,7 +84,7 @@ class Outline {
         return (high - low).norm();
     }
 
-    /// The sides so that the ends of each meet those of others or each other.
+    /// The sides with joined ends: to the ends of other sides, or each side closed on itself.
     /// \param slack distance up to which ends meet
     std::vector<Polyline> joined(double slack) {
         std::vector<End> all;
@@ -150,7 +150,7 @@ class Outline {
                 file_.refuse(*next.row, next.row->text,
                              "has the same order as" + other + "; number the places along the side");
             if (last.x == next.x)
-                file_.refuse(*next.row, next.row->text, "is the place of" + other + " again; leave one out");
+                file_.refuse(*next.row, next.row->text, "repeats the place of" + other + "; leave one out");
         }
     }
 
@@ -171,7 +171,7 @@ class Outline {
         return nearest;
     }
 
-    /// Whether ends so far apart are meant to meet: beside the shortest piece of their side it is little.
+    /// Whether a gap between ends is a slip: below 1 % of the shortest piece of the side.
     [[nodiscard]] bool is_slip(std::size_t side, double way) const {
         return way < shortest_piece(side) / 100;
     }

@@ -19,10 +19,10 @@ using bodies::Point;
 
 namespace {
 
-/// The quality number that no grid has, not even one with three particles on a side.
+/// Largest quality number without a remark: above that of any grid, even with three particles on a side.
 constexpr double most_quality = 150;
 
-/// Share of the given loads that the boundary's stresses may miss before a remark says so.
+/// Largest Judgement::missed_loads without a remark. It is relative to the stresses.
 constexpr double most_missed = 0.1;
 
 /// "wall (0, 1000), tip (0, -1000)"
@@ -105,18 +105,17 @@ std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies
                                   std::to_string(degree) + " badly somewhere");
     add(quality > most_quality, "the neighbours of the particle at " + particles::shown_point(worst) +
                                     " determine its derivatives badly (quality " + shown(quality, 3) +
-                                    ", where " + shown(most_quality) +
-                                    " is the most); stresses near it may be wrong");
+                                    ", limit " + shown(most_quality) + "); stresses near it may be wrong");
     add(judged.missed_loads > most_missed, "the " + fluxes + " at the boundary miss the given loads by " +
-                                               shown(100 * judged.missed_loads, 3) +
-                                               " % of their size, where " + shown(100 * most_missed) +
-                                               " is the most; do not trust those near it");
+                                               shown(100 * judged.missed_loads, 3) + " % of the size of " +
+                                               fluxes + ", limit " + shown(100 * most_missed) +
+                                               "; do not trust those near the boundary");
     add(across > 0,
         std::to_string(across) + " particles, such as that at " + particles::shown_point(one) +
-            ", see others across a gap of the body; the solution near it may be wrong; take a finer mesh there");
+            ", have neighbours across a gap of the body; the solution near it may be wrong; take a finer mesh there");
     add(judged.noise > most_noise, "the unknowns alternate between neighbours, and " + fluxes +
-                                       " may be wrong (noise " + shown(judged.noise, 3) + ", where " +
-                                       shown(most_noise) + " is the most)");
+                                       " may be wrong (noise " + shown(judged.noise, 3) + ", limit " +
+                                       shown(most_noise) + ")");
     return all;
 }
 

@@ -17,7 +17,7 @@ template <int dim>
 struct Particles {
     double quality;               ///< the largest of a solution's rows
     bodies::Point<dim> worst;     ///< its place
-    bodies::Index across = 0;     ///< how many see others across a gap, bodies::across_gaps()
+    bodies::Index across = 0;     ///< how many have neighbours across a gap, bodies::across_gaps()
     bodies::Point<dim> one = {};  ///< the place of one of those
 };
 
@@ -30,8 +30,8 @@ std::vector<std::string> about_round_off(const bodies::Discretisation& how,
                                          const bodies::Judgement<n>& judged);
 
 /// What is wrong with a solution, a sentence each: loads and reactions that leave more than 2 %, monomials of
-/// a lower degree, neighbours that determine badly, stresses that miss the loads, particles that see others
-/// across a gap, and unknowns that alternate.
+/// a lower degree, neighbours that determine badly, stresses that miss the loads, particles with
+/// neighbours across a gap, and unknowns that alternate.
 /// \param how the solution was made \param degree of the monomials that was asked for
 /// \param remedy for a solution out of equilibrium
 /// \throws base::FailedComputation for a defect of more than 10 %, with loads and reactions and the remedy

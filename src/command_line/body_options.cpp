@@ -27,7 +27,7 @@ using bodies::Point;
 
 namespace {
 
-/// The parameters of the methods that collocate. \param degree what is said of the default of --degree
+/// The parameters of the approximation, for any method. \param degree added to the default in --degree's help
 void add_parameters(CommandLine& app, BodyOptions& options, const std::string& degree) {
     app.add_option("--degree", options.degree, "degree m of the monomials of SSPH (default 2" + degree + ")")
         .type_name("2|3")
@@ -60,7 +60,7 @@ void add_method_options(CommandLine& app, BodyOptions& options) {
         .within(1, 1000);
     app.add_option(
            "--penalty", options.penalty,
-           "penalty of the weak forms, in units of 1e5 E0 over the body's size, or of 1e5 k over it (default 1)")
+           "penalty of weak1 and weak2, in units of 1e5 E0/L, for a scalar 1e5 k/L, L the largest extent of the body (default 1)")
         .type_name("FACTOR");
 }
 
@@ -159,7 +159,8 @@ std::vector<std::string> method_names(const BodyOptions& options) {
 /// \param known the methods of the program
 /// \throws InvalidInput for an option that belongs to none of the methods
 void check_effect(const BodyOptions& options, const std::vector<std::string>& known) {
-    const std::vector<std::string> methods = method_names(options);
+    std::vector<std::string> methods = method_names(options);
+    if (methods.empty() && !options.mesh.empty()) methods = {"hats"};
     const BodyOptions untouched;
     const auto refuse_without = [&](const std::string& option, bool changed, const std::string& whose,
                                     std::vector<std::string> those) {
@@ -171,12 +172,14 @@ void check_effect(const BodyOptions& options, const std::vector<std::string>& kn
         });
         if (changed && !methods.empty() && !asked)
             throw InvalidInput(option + " belongs to " + whose +
-                               (those.size() == 1 ? "; add " : "; add one of ") + joined(those) +
-                               " to --method, or leave " + option + " out");
+                               (those.empty()
+                                    ? "; leave it out"
+                                    : (those.size() == 1 ? "; add " : "; add one of ") + joined(those) +
+                                          " to --method, or leave " + option + " out"));
     };
-    const std::vector<std::string> weak{"weak1", "weak2", "hats"}, ssph{"strong", "weak1", "weak2", "hats"};
-    refuse_without("--gauss", options.gauss != untouched.gauss, "the weak forms", weak);
-    refuse_without("--penalty", options.penalty != untouched.penalty, "the weak forms", weak);
+    const std::vector<std::string> weak{"weak1", "weak2"}, ssph{"strong", "weak1", "weak2", "hats"};
+    refuse_without("--gauss", options.gauss != untouched.gauss, "weak1 and weak2", weak);
+    refuse_without("--penalty", options.penalty != untouched.penalty, "weak1 and weak2", weak);
     refuse_without("--degree", options.degree.has_value(), "methods with an SSPH basis", ssph);
     refuse_without("--scaling", options.scaling != untouched.scaling, "methods with an SSPH basis", ssph);
     if (options.smoothing != untouched.smoothing &&

@@ -42,11 +42,11 @@ std::string about_numbers(bool is_scalar, int dim, bool are_eigenvalues) {
     if (are_eigenvalues)
         return is_scalar
                    ? "eigenvalues of -div(k grad u) + c u = lambda u, all values and loads zero"
-                   : "eigenvalues of -div(stress) + c u = lambda u, all values and loads zero: a density rho makes the frequency sqrt(lambda/rho)/(2 pi)";
+                   : "eigenvalues of -div(stress) + c u = lambda u, all values and loads zero: with a density rho the frequency is sqrt(lambda/rho)/(2 pi)";
     if (is_scalar)
         return std::string(dim == 2 ? "q1, q2" : "q1, q2, q3") +
                ": the flux of heat -k grad u; loads and reactions are heat that enters";
-    return dim == 2 ? "loads and reactions are for each unit of thickness" : "";
+    return dim == 2 ? "loads and reactions are per unit thickness" : "";
 }
 
 template std::vector<report::ColumnHead> columns<2>();

@@ -142,7 +142,7 @@ void add_median(CommandLine& app, Options& options) {
 void add_states(CommandLine& app, Options& options) {
     app.add_flag(
         "--states", options.states,
-        "what each particle holds, computed and exact, instead of the largest errors; with --plot, of one number of particles");
+        "the values at each particle, computed and exact, instead of the largest errors; with --plot, for one number of particles");
 }
 
 void add_precision(CommandLine& app, Options& options) {

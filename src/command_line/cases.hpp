@@ -47,7 +47,7 @@ void add_options(CommandLine& app, Options& options, const std::vector<std::stri
 /// Adds --median, for a program whose cases have one row each.
 void add_median(CommandLine& app, Options& options);
 
-/// Adds --states, for a program that knows what each particle holds.
+/// Adds --states, for a program that has values at each particle.
 void add_states(CommandLine& app, Options& options);
 
 /// Adds --precision, for a program that computes in any.

@@ -79,7 +79,7 @@ std::vector<Attempt> attempts_at(const CloudOptions& options, const CloudTest<di
     return attempts;
 }
 
-/// The rows of some draws, one for each place: the largest numbers, with --median their medians and quartiles.
+/// The rows of some draws, one for each place: the largest numbers, or with --median medians and quartiles.
 /// \param attempts those at its cases \param keys how many columns name a place
 std::vector<std::vector<Cell>> rows(const CloudOptions& options, const std::vector<Cell>& name,
                                     const std::vector<Attempt>& attempts, std::size_t keys) {

@@ -10,21 +10,21 @@
 
 namespace command_line {
 
-/// What a test finds at the particles of a place: three numbers at each.
+/// The results of a test at one place, such as inside or at a corner: three numbers for each particle.
 struct Found {
     std::vector<std::string> keys;  ///< that name the place, in the columns `CloudTest::keys`
     std::vector<particles::Index> particles;
     std::vector<std::array<double, 3>> numbers;
 };
 
-/// A test of formulations on particles, as its tables see it.
+/// A test of formulations on particles: its columns, and the function that computes them.
 template <int dim>
 struct CloudTest {
     std::string largest, states;           ///< what each table holds
     std::vector<report::ColumnHead> keys;  ///< the last one is the place
     std::array<report::ColumnHead, 3> numbers;
     std::string quality;  ///< what the third number is
-    /// Of a formulation on particles, with δ for all of them, or of each [length].
+    /// The results of a formulation on particles. \param spacing δ, one for all or one for each [length]
     std::function<std::vector<Found>(const std::string& formulation, const Placed<dim>&,
                                      const particles::Column<double>& spacing)>
         find;

@@ -41,12 +41,12 @@ void add_options(CommandLine& app, CloudOptions& options);
 void add_draw_options(CommandLine& app, CloudOptions& options);
 void add_kernel_options(CommandLine& app, CloudOptions& options);
 
-/// Refuses of grids what changes nothing or has no meaning. \throws base::InvalidInput
+/// \throws base::InvalidInput for options of a grid that have no effect or no meaning
 void check_grids(const CloudOptions& options);
 
-/// Fills in what was left open, and reads the files, each once.
-/// \throws base::InvalidInput for what changes nothing, has no meaning, or cannot be drawn, and for files that
-///         cannot be read or would be written
+/// Sets the defaults that depend on other options, and reads each file once.
+/// \throws base::InvalidInput for options without effect or meaning, for a figure that cannot be drawn, and
+///         for files that cannot be read or would be overwritten
 void complete(CloudOptions& options);
 
 /// Particles of which all formulations are computed.
@@ -90,8 +90,8 @@ struct Placed {
 template <int dim>
 Placed<dim> placed(const CloudOptions& options, const CloudCase& one);
 
-/// δ of h/δ: one for all particles, or one for each. The mean of a stretched grid is that of the grid, stretched
-/// as at the particle; where axes differ, the larger one. [length]
+/// δ of h/δ: one for all particles, or one for each. For `mean` on a stretched grid it is the spacing of the
+/// grid times the local stretch at each particle, the larger one where axes differ. [length]
 template <int dim>
 particles::Column<double> spacing(const CloudOptions& options, const CloudCase& one,
                                   const particles::Cloud<dim>& cloud);
@@ -102,8 +102,8 @@ template <int dim>
 particles::Smoothing<double, dim> smoothing(const CloudOptions& options,
                                             const particles::Column<double>& spacing);
 
-/// The function typed, or that of the text. A second derivative in two coordinates follows from those along the
-/// axes and between them:
+/// The function B: that of --function, or the default. A mixed second derivative follows from the second
+/// derivatives along the axes and along their sum:
 /// \f[ 2\,\partial_{12} f = \partial^2_{1+2} f - \partial_{11} f - \partial_{22} f \f]
 template <int dim>
 fpm_in_space::derivative_test::Function<dim> function(const CloudOptions& options);

@@ -145,7 +145,7 @@ void Columns::check_header() {
     if (all.size() == count &&
         std::any_of(all.begin(), all.end(), [](std::string_view name) { return is_number(unquoted(name)); }))
         refuse({header_line_, header_}, header_,
-               "has a name and a number; mend it, or put # before it if it is a comment");
+               "has a name and a number; correct it, or put # before it if it is a comment");
     numbered_ = all.size() + 1 == count && counts_rows(0);
 }
 

@@ -45,8 +45,8 @@ class CommandLine {
     };
 
     /// \param name with dashes; without them, an argument that is known by its place
-    /// \param value string, double, int, long, unsigned long, std::optional of string, long or double, or a vector
-    ///        of strings separated by blanks; unchanged where the option is not given
+    /// \param value string, double, int, long, unsigned long, std::optional of string, long or double, or a
+    ///        vector of strings separated by blanks; unchanged where the option is not given
     template <class Value>
     Option add_option(const std::string& name, Value& value, const std::string& about);
 

@@ -58,7 +58,7 @@ void add_options(CommandLine& app, ExampleOptions& options, const std::string& p
                  "add the seconds for assembly and solution, and the memory in MB");
     app.add_flag(
         "--quality", options.quality,
-        "add two columns: R of the worst derivative at a particle, which errs by at most R h^p times a derivative of the displacement; and noise, how much of the unknowns the field does not show, in strains");
+        "add two columns: R of the worst derivative at a particle, whose error is at most R h^p times a derivative of the displacement; and noise, the largest difference of an unknown from the field, over h and relative to the strains");
     app.add_threads(options.threads);
     app.add_output(options.output);
     add_plot_option(app, options.figure);
@@ -148,9 +148,9 @@ std::vector<ExampleCase> cases(const ExampleOptions& options, double E,
             throw InvalidInput("--gauss must lie between 1 and 1000, got " + std::to_string(gauss));
     for (const long degree : options.degree)
         if (degree < 1 || degree > 3)
-            throw InvalidInput("monomials of degree 1, 2 or 3 are known, not " + std::to_string(degree));
+            throw InvalidInput("--degree must be 1, 2 or 3, got " + std::to_string(degree));
     for (const double factor : options.penalty)
-        if (!(factor > 0)) throw InvalidInput("--penalty must be positive");
+        if (!(factor > 0)) throw InvalidInput("--penalty must be positive, got " + base::shown(factor));
     if (!(std::isfinite(options.smoothing) && options.smoothing > 0))
         throw InvalidInput("--smoothing must be positive and finite, got " + base::shown(options.smoothing));
 

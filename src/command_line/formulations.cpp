@@ -12,8 +12,8 @@ namespace command_line {
 
 namespace {
 
-/// SSPH weighs with any kernel that has a compact support. The Gaussian, which has none, it lowers as (3.15)
-/// with ρ = 4; the factor G cancels.
+/// SSPH takes any kernel with compact support as weight. The Gaussian has none; it is lowered as in (3.15)
+/// with ρ = 4. The factor G cancels.
 template <class Scalar>
 void ssph(particles::Operators<Scalar>& all, const particles::Line<Scalar>& line,
           const particles::Smoothing<Scalar>& smoothing, const particles::Requirement& required) {

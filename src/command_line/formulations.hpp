@@ -21,10 +21,10 @@ std::vector<std::string> formulation_names();
 /// fpm_in_space on a line.
 std::vector<std::string> names_beside_all();
 
-/// The names of the kernels that need no number.
+/// The names of the kernels without a parameter.
 std::vector<std::string> kernel_names();
 
-/// The formulation of a name, of one beside all, too.
+/// The formulation of this name, also one of names_beside_all().
 /// \throws base::InvalidInput for a name that no formulation has
 template <class Scalar = double>
 const asprone2010::Formulation<Scalar>& formulation_named(std::string_view wanted);

@@ -27,9 +27,9 @@ struct MembraneCase {
 /// fem_consistent.
 std::vector<std::string> membrane_formulations(long dimension);
 
-/// Fills in what was left open.
-/// \throws base::InvalidInput for what changes nothing, has no spectrum, does not fit into memory, or cannot be
-///         drawn
+/// Sets the default particles and formulations.
+/// \throws base::InvalidInput for options without effect, and for what has no spectrum, does not fit into
+///         memory or cannot be drawn
 void complete(MembraneOptions& options);
 
 std::vector<MembraneCase> cases(const MembraneOptions& options);

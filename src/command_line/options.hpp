@@ -35,8 +35,8 @@ bool is_standard_output(const std::string& output);
 /// \param files options with the files that they name \throws base::InvalidInput
 void check_apart(const std::vector<std::pair<std::string, std::string>>& files);
 
-/// The body of main for a table: options are read, the table is computed, written and drawn. A table that is
-/// incomplete is written, and then is a failed computation.
+/// The body of main for a table: reads the options, computes the table, writes it and draws it. An incomplete
+/// table is written and drawn; then the program fails with its reason.
 /// \param threads how many, 0 for all \param output the file to write \param figure what to draw of the
 ///        table; all three have their values once the options are read
 /// \return 0; 2 for a bad invocation; 1 for a failed computation, with one line on standard error

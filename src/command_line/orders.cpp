@@ -29,7 +29,7 @@ std::vector<Errors> columns_of_errors(const report::Table& table) {
     return all;
 }
 
-/// log e of a row; nothing where it has no error, or one below a hundredth of its tolerance, which is round-off.
+/// log e of a row; nothing without an error, or for one below 1 % of its tolerance, which is round-off.
 std::optional<double> logarithm(const report::Table& table, std::size_t row, const Errors& errors) {
     const auto* const found = std::get_if<double>(&table.rows[row][errors.column]);
     const double round_off = table.columns[errors.column].tolerance.absolute / 100;

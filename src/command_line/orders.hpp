@@ -9,12 +9,12 @@
 
 namespace command_line {
 
-/// Adds to a table of errors the observed orders: how errors e fall between a row and the row before it of the
-/// same case, on particles that lie another distance δ apart.
+/// Adds the observed orders to a table of errors: between a row with error e₂ and spacing δ₂ and the previous
+/// row of the same case, with e₁ and δ₁
 /// \f[ p = \frac{\log(e_1/e_2)}{\log(\delta_1/\delta_2)} \f]
 /// Each column of errors has one: error_first has order_first, log_error_dn, which holds log10 of errors, has
-/// order_dn. Orders are rounded to a thousandth; a row that has none before it has
-/// empty ones. A table without any stays as it is.
+/// order_dn. Orders are rounded to a thousandth. A row without a previous one has empty
+/// orders; a table without any order stays as it is.
 /// \param same columns that name a case, without those that tell the particles
 /// \param spacing δ of a row
 void add_orders(report::Table& table, const std::vector<std::string>& same,

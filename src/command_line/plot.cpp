@@ -31,7 +31,7 @@ struct Temporary {
     Temporary& operator=(const Temporary&) = delete;
 };
 
-/// While it lives, Ctrl-C and a request to end wait, so that temporary files are removed before.
+/// While it lives, SIGINT, SIGTERM and SIGHUP are held back, so that temporary files are removed first.
 class Uninterrupted {
   public:
     Uninterrupted() {

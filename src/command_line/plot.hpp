@@ -21,7 +21,7 @@ void add_plot_option(CommandLine& app, Figure& figure);
 /// The folder of the source tree, where the scripts lie.
 std::string source_folder();
 
-/// Refuses before anything is computed what could not be drawn.
+/// Checks before any computation that a figure can be drawn.
 /// \throws base::InvalidInput for a path that is no .svg
 /// \throws base::FailedComputation where gnuplot, the script or the folder of the file is missing
 void check_plot(const Figure& figure, const std::string& folder = source_folder());

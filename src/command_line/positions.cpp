@@ -95,8 +95,8 @@ Column<double> read_positions(const std::string& path, const std::vector<std::st
 
 namespace {
 
-/// "a,b" or "2,3,4": as many columns that may be positions. Those of particles' numbers are none: whole
-/// numbers, of which a first column may have the name.
+/// The first `dim` columns that may hold positions, as --columns takes them: "a,b" or "2,3,4". Columns of
+/// whole numbers are skipped; if too few are left, only a first column of particle numbers is.
 std::string columns_of_positions(const Columns& file, std::size_t dim) {
     const std::vector<std::string_view> names = file.names();
     const std::size_t count = file.rows().front().entries().size();
@@ -267,8 +267,8 @@ NamedFile named_file(const std::string& text) {
 
 namespace {
 
-/// The text as a length: nothing where it does not begin as a number does.
-/// \throws InvalidInput for what begins so and is none, or is not positive
+/// The length in a text; nothing for a text that does not begin like a number.
+/// \throws InvalidInput for a text that begins like a number and is not one, or is not positive
 std::optional<double> length_in(std::string_view text) {
     if (text.find_first_of("+-.0123456789") != 0 || text.ends_with("-nearest")) return {};
     const double length = base::number(text);

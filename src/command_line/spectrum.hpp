@@ -14,7 +14,7 @@ namespace command_line {
 std::vector<report::ColumnHead> columns_of_modes();
 
 /// A row for each frequency: the case, the columns of its mode, and a last column. Modes are counted by the
-/// real parts. A displacement whose frequency has none grows or decays, and does not vibrate: such a frequency
+/// real parts. A displacement whose frequency has none grows or decays without vibration: such a frequency
 /// belongs to no mode, and has no exact one beside it.
 /// \param named cells of the case \param exact frequency of a mode, from 1
 /// \param last cell of a mode, from 1, and of its row, from 0

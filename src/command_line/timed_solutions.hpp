@@ -33,14 +33,14 @@ struct Solved {
     const Solution& solution;
 };
 
-/// What is told of a solution beside its errors.
+/// Costs and quality of a solution.
 struct About {
     double assembly = 0, solution = 0;  ///< [s]
     double megabytes = 0;               ///< largest memory meanwhile
     particles::WorstRow worst;          ///< of the derivatives at the particles
 };
 
-/// Gives back what solutions before have left, so that the memory of the next one is its own.
+/// Returns freed memory to the system, so that earlier solutions do not count in the peak of the next.
 void give_freed_memory_back();
 
 /// The solution of a case, timed.

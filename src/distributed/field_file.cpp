@@ -45,8 +45,7 @@ Drawn<dim>::Drawn(const Part<dim>& part) : particle(part.own) {
 
 void check_field_path(const std::string& path) {
     if (!path.ends_with(ending))
-        throw base::InvalidInput("--field " + path +
-                                 " is no file for a field of many processes; let its name end with .pvtu");
+        throw base::InvalidInput("--field " + path + ": the name must end with .pvtu");
 }
 
 std::string piece_of(const std::string& path, int process) {

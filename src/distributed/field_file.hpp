@@ -9,7 +9,7 @@
 
 namespace distributed {
 
-/// The own particles of a part, and the corners of its cells, as a body to be drawn.
+/// The particles that a process owns, and the corners of its cells, as a body to be drawn.
 template <int dim>
 struct Drawn {
     Body<dim> body;

@@ -15,7 +15,7 @@ namespace {
 template <int dim>
 using Place = std::array<Index, static_cast<std::size_t>(dim)>;
 
-/// The places of a grid from one corner to before another.
+/// A box of grid indices: first inclusive, end exclusive.
 template <int dim>
 struct Box {
     Place<dim> first{}, end{};
@@ -47,7 +47,7 @@ struct Box {
     }
 };
 
-/// The box of a process: halves across the longest side, again and again.
+/// The box of a process, by recursive bisection of the longest side.
 template <int dim>
 Box<dim> box_of(const Grid<dim>& grid, int processes, int process) {
     Box<dim> box{{}, grid.count};
@@ -93,7 +93,7 @@ double spacing(const Grid<dim>& grid, std::size_t axis) {
     return grid.length[static_cast<Index>(axis)] / static_cast<double>(grid.count[axis] - 1);
 }
 
-/// The largest distance of a particle to its nearest one, to the last bit that of a Cloud.
+/// The largest distance to a nearest particle, bit for bit that of a Cloud.
 template <int dim>
 double largest_spacing(const Grid<dim>& grid) {
     double least = std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ double largest_spacing(const Grid<dim>& grid) {
     return least;
 }
 
-/// Smoothing lengths of the whole grid, as far as a part cannot tell them.
+/// The spacing, with mean and largest replaced by their lengths: a part does not know the whole grid.
 template <int dim>
 particles::Spacing of_whole(const particles::Spacing& spacing, const Grid<dim>& grid) {
     if (spacing.kind == particles::Spacing::mean)
@@ -121,7 +121,7 @@ particles::Spacing of_whole(const particles::Spacing& spacing, const Grid<dim>& 
     return spacing;
 }
 
-/// Cells at a particle: one for each order of the axes along which its corners follow each other.
+/// Kuhn's triangulation of a grid cell: a simplex for each order of the axes. \param steps to the next particle
 template <std::size_t corners, class Work>
 void for_each_simplex(std::array<Index, corners - 1> steps, const Work& work) {
     std::sort(steps.begin(), steps.end());
@@ -237,7 +237,7 @@ Body<dim> body_of(const Grid<dim>& grid) {
 
 template <int dim>
 Part<dim> part_of(const Grid<dim>& grid, const Discretisation& how, int processes, int process) {
-    // Beside what its own equations need: for pieces and cells, whose nearest particles may be others'.
+    // Layers for pieces and cells whose nearest particle belongs to another process.
     constexpr Index more = 2;
     const Box<dim> own = box_of(grid, processes, process);
     Place<dim> layers{};

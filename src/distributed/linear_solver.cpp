@@ -27,9 +27,9 @@ using Preconditioner = Owned<PC, PCDestroy>;
 /// The size, relative to the largest of its row, above which an entry counts as strong for BoomerAMG.
 constexpr const char* strong = "0.25";
 
-/// An approximate inverse of A: the equations of A at the edge, where conditions are imposed in a way of its
-/// own, and then elements for what is left, which varies slowly. With the elements first, their small errors
-/// in the forces at the edge would bend a slender body much.
+/// An approximate inverse of A in two steps: first the equations at System::edge, which impose the conditions
+/// as collocation does; then elements for the rest of the residual, which varies slowly. In the other order,
+/// small errors of the elements in the forces at the edge would strongly bend a slender body.
 class ByElements {
   public:
     ByElements(const System& system, int n) : system_(system) {
@@ -107,9 +107,9 @@ PetscErrorCode monitor(KSP ksp, PetscInt iteration, PetscReal residual, void* co
     return 0;
 }
 
-/// What a residual b − A x is, in largest sizes.
+/// The residual b − A x in maximum norms.
 struct Residual {
-    double of_terms = 1;  ///< over ‖A‖ ‖x‖ + ‖b‖: how far the system is from one that x solves
+    double of_terms = 1;  ///< over ‖A‖ ‖x‖ + ‖b‖: the backward error of x
     double of_given =
         1;  ///< over ‖b‖: an estimate of the error of x, which is large where A is nearly singular
 
@@ -142,7 +142,7 @@ Residual residual_of(const System& system, Vec x) {
 struct Attempt {
     Vector x;
     std::string fault;
-    bool nearly_singular = false;  ///< x solves a system that is as good as A, and may be wrong
+    bool nearly_singular = false;  ///< the backward error is small, but that of x may be large
 };
 
 Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised, Report& report,
@@ -190,7 +190,7 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
     PetscBool is_direct = PETSC_FALSE;
     require(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<KSP>(solver)), KSPPREONLY,
                                    &is_direct));
-    // Where round-off has separated the two residuals, the iteration begins again from the true one.
+    // Round-off separates the residual that GMRES updates from the true one: restart from the latter.
     for (int again = 0; again < 3 && !residual.is_small(); ++again) {
         if (again > 0) {
             require(KSPSetInitialGuessNonzero(solver, PETSC_TRUE));
@@ -221,10 +221,9 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
     tried.nearly_singular = residual.of_terms < solvers::largest_residual;
     if (!residual.is_small())
         tried.fault = report.method + ": " + (reason < 0 ? std::string(words) + ", " : "") +
-                      "relative residual " + base::shown(residual.of_terms, 2) + ", and " +
-                      base::shown(residual.of_given, 2) + " of the right-hand side, where " +
-                      base::shown(solvers::largest_residual) + " and " +
-                      base::shown(Residual::largest_error) + " are the most";
+                      "relative residual " + base::shown(residual.of_terms, 2) + " (limit " +
+                      base::shown(solvers::largest_residual) + "), and " + base::shown(residual.of_given, 2) +
+                      " of the right-hand side (limit " + base::shown(Residual::largest_error) + ")";
     return tried;
 }
 
@@ -242,9 +241,9 @@ Eigen::MatrixXd solved(const System& system, int n, Report& report,
     if (!tried.fault.empty())
         throw base::FailedComputation(
             "the linear system was not solved: " + tried.fault + "; " +
-            (chosen ? "leave PETSc's options -ksp_type, -pc_type, -ksp_max_it and -ksp_rtol out"
+            (chosen ? "leave out PETSc's options -ksp_type, -pc_type, -ksp_max_it, -ksp_rtol and -ksp_atol"
              : tried.nearly_singular
-                 ? "the conditions or the material hardly determine the solution: a given value, a larger coefficient of convection or a smaller Poisson's ratio would"
+                 ? "the conditions or the material hardly determine the solution; give a value, a larger coefficient of convection or a smaller Poisson's ratio"
                  : "take another smoothing length or other particles"));
     PetscInt rows = 0;
     require(VecGetLocalSize(tried.x, &rows));

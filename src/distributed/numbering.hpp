@@ -22,15 +22,15 @@ class Numbering {
     [[nodiscard]] const Processes& processes() const { return processes_; }
     /// The place of each particle of the part.
     [[nodiscard]] const std::vector<PetscInt>& places() const { return places_; }
-    /// The place of the first own particle.
+    /// The place of the first owned particle.
     [[nodiscard]] PetscInt first() const { return first_; }
     [[nodiscard]] PetscInt count_of_own() const { return static_cast<PetscInt>(own_.size()); }
     [[nodiscard]] bool is_own(PetscInt place) const {
         return place >= first_ && place < first_ + count_of_own();
     }
 
-    /// Numbers at all particles of the part, from those at the own particles of all processes.
-    /// \param at_own a column for each own particle \return a column for each particle of the part
+    /// Numbers at all particles of the part, from those at the owned particles of all processes.
+    /// \param at_own a column for each owned particle \return a column for each particle of the part
     [[nodiscard]] Eigen::MatrixXd at_all(const Eigen::MatrixXd& at_own) const;
 
   private:

@@ -59,7 +59,7 @@ Point<dim> centre(const Body<dim>& body, const std::array<int, dim + 1>& cell) {
     return sum / (dim + 1);
 }
 
-/// Calls `work(piece, owner, to)` for each piece of a body. \param sides to which pieces may go
+/// Calls `work(side, piece, owner)` for each piece of a body: number of its side, piece, owning process.
 template <int dim, class Work>
 void for_each_piece(const Body<dim>& body, const Owners& owners, const Work& work) {
     for (std::size_t k = 0; k < body.sides.size(); ++k)

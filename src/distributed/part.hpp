@@ -6,8 +6,8 @@
 #include "bodies/approximation.hpp"
 #include "bodies/judgement.hpp"
 
-/// A body of the reader's on many processes, by collocation: each makes the equations of its own particles,
-/// with the formulas of one machine, and PETSc and SLEPc solve them together.
+/// A user's body on many processes, by collocation: each process makes the equations of the particles that it
+/// owns, with the formulas for one machine, and PETSc and SLEPc solve them together.
 ///
 /// A Part is what a process holds: a body that consists of its own particles and of a halo, those that enter
 /// the equations of its own ones. solve() and eigenvalues() do on many parts what bodies::solve() and
@@ -24,11 +24,11 @@ using bodies::Point;
 /// The part of a body that a process holds.
 template <int dim>
 struct Part {
-    /// The particles of the part in the order of their numbers in the whole body, so that sums over neighbours
-    /// have the same order; all sides, with the pieces over which this process integrates; and cells: first
-    /// those over which it integrates, then others that touch its own particles.
+    /// The particles of the part in the order of their numbers in the whole body, so that sums over
+    /// neighbours have the same order; all sides, with the pieces over which this process integrates; and
+    /// cells: first those over which it integrates, then the others that touch a particle that it owns.
     Body<dim> body;
-    Index own_cells = 0;           ///< how many are the first
+    Index own_cells = 0;           ///< number of cells over which this process integrates
     std::vector<Index> number;     ///< of each particle in the whole body
     std::vector<int> own;          ///< particles of the part whose equations this process makes
     Discretisation how;            ///< with smoothing lengths that are those of the whole body
@@ -50,18 +50,18 @@ struct Owners {
     std::vector<int> cell;
 };
 
-/// How many of some things go to the left where so many processes are split in two.
+/// Number of things for the first half of the processes, in proportion to their number.
 inline Index share_of_first_half(Index things, int processes) {
     return things * (processes / 2) / processes;
 }
 
-/// Divides particles by coordinates: halves across the longest side of their box, again and again.
-/// \return a process for each; all have as many, or one more or less
+/// Divides particles by recursive bisection of the longest side of their bounding box.
+/// \return a process for each particle; all processes have as many, or one more or less
 template <int dim>
 std::vector<int> bisected(const particles::Points<dim>& x, int processes);
 
-/// \param particle the process of each particle, such as bisected(); a piece and a cell go to that of a
-///        particle near to them
+/// \param particle the process of each particle, such as bisected(). A piece goes to the process of the
+///        particle nearest to its first quadrature point, a cell to that of its first corner
 template <int dim>
 Owners owners_of(const Body<dim>& body, const Approximation<dim>& approximation, std::vector<int> particle);
 

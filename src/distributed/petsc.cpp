@@ -81,7 +81,7 @@ Petsc::Petsc(std::vector<std::string> options) : options_(std::move(options)) {
     argv.push_back(nullptr);
     auto argc = static_cast<int>(argv.size()) - 1;
     char** all = argv.data();
-    // PETSc would print its own help, and pages about every error.
+    // No options from the file .petscrc; error codes instead of PETSc's pages about every error.
     PetscOptionsSetValue(nullptr, "-skip_petscrc", "1");
     SlepcInitialize(&argc, &all, nullptr, nullptr);
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);

@@ -9,16 +9,16 @@
 
 namespace distributed {
 
-/// \throws base::FailedComputation in PETSc's words for an error code. What communicates may have failed on
-///         one process alone: then the others wait for it, and all are ended instead, with one line.
+/// \throws base::FailedComputation with PETSc's message for an error code. On several processes, prints it in
+///         one line and ends them all: a call may fail on one process while the others wait in it.
 void require(PetscErrorCode code);
 
 /// The same for what reads the user's options of PETSc.
 /// \throws base::InvalidInput in PETSc's words
 void require_options(PetscErrorCode code);
 
-/// The arguments of a program, and those of PETSc: names with one dash, each with one value at most. A word
-/// behind an option of the program that needs a value is its value, such as -pi.
+/// The arguments of the program, and those of PETSc: names with one dash, each with at most one value. After
+/// an option of the program that needs a value, a word such as -pi is this value.
 /// \param flags options of the program, which begin with two dashes, without value
 std::pair<std::vector<char*>, std::vector<std::string>> divided(int argc, char** argv,
                                                                 const std::vector<std::string>& flags);
@@ -44,7 +44,7 @@ class Owned {
     Object object_ = nullptr;
 };
 
-/// A number as PETSc counts.
+/// A number as PETSc's integer type.
 inline PetscInt petsc_int(std::ptrdiff_t number) {
     return static_cast<PetscInt>(number);
 }

@@ -25,7 +25,7 @@ struct Own {
     bodies::Quality quality;
 };
 
-/// The conditions of each particle in an order in which the i-th one is about the i-th unknown as far as can be:
+/// The conditions of each particle, ordered so that the i-th is mostly along the i-th unknown where possible:
 /// preconditioners treat the unknowns one by one.
 template <int dim, int n>
 void align(bodies::Conditions<dim, n>& conditions) {
@@ -71,7 +71,7 @@ Own<dim, n> own(const Part<dim>& part, bodies::Conditions<dim, n> conditions) {
 void require_collocation(bodies::Method method) {
     if (method != bodies::Method::fpm && method != bodies::Method::strong)
         throw base::InvalidInput(bodies::name(method) +
-                                 ": its equations are made on one machine; on several take fpm or strong");
+                                 ": works on one machine only, in the program body; here take fpm or strong");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Progress {
 template <int dim, int n>
 struct Solved {
     /// On the part of a process, with the unknowns of its own particles and of the halo; none where it has no
-    /// particles. Quality and worst particle are those of the own ones.
+    /// particles. Quality and worst particle are those of the particles that it owns.
     std::optional<bodies::Solution<dim, n>> part;
     double quality = 0;   ///< the largest of all processes
     Point<dim> worst;     ///< its place
@@ -28,8 +28,8 @@ struct Solved {
 };
 
 /// bodies::solve() on many processes, by the method fpm or strong.
-/// \throws base::InvalidInput and base::FailedComputation as that, on all processes; but a remedy has been
-///         tried on one part alone. Whether the body is held must be known before, bodies::require_held().
+/// \throws base::InvalidInput and base::FailedComputation as bodies::solve(), on all processes; a remedy in
+///         the message was tried on one part only. The caller checks bodies::require_held() first.
 template <int dim, int n>
 Solved<dim, n> solve(const Processes& processes, const Part<dim>& part,
                      const bodies::Problem<dim, n>& problem, const Progress& progress = {});

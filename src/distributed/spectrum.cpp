@@ -94,9 +94,9 @@ std::vector<std::complex<double>> smallest_eigenvalues(const System& system, Ind
         const double residual = residual_of(solver, system, k);
         if (!(residual < largest_error))
             throw base::FailedComputation(
-                "the residual of the eigenvalue " + base::shown(real, 4) + " is " + base::shown(residual, 2) +
-                " of its terms, where " + base::shown(largest_error) +
-                " is the most; leave PETSc's options -st_… and -eps_… out, or take fewer modes");
+                "the relative residual of the eigenvalue " + base::shown(real, 4) + " is " +
+                base::shown(residual, 2) + ", limit " + base::shown(largest_error) +
+                "; leave out PETSc's options -st_… and -eps_…, or take fewer modes");
         all.emplace_back(real, imaginary);
     }
     return all;

@@ -35,7 +35,7 @@ Matrix without_entries(const Numbering& numbering, int n) {
 }
 
 /// A matrix without entries, with room for exactly those to come.
-/// \param near the neighbours of each own particle
+/// \param near the neighbours of each owned particle
 Matrix matrix_for(const Numbering& numbering, int n, const std::vector<std::vector<int>>& near) {
     std::vector<PetscInt> own(n * near.size(), 0), others(own);
     for (std::size_t k = 0; k < near.size(); ++k) {
@@ -92,7 +92,7 @@ struct Rows {
     }
 };
 
-/// The own particles that have conditions, or lie within so many cells of one that has, in increasing order.
+/// The owned particles within some layers of cells of a particle with conditions, in increasing order.
 template <int dim, int n>
 std::vector<int> edge_of(const Part<dim>& part, const bodies::Conditions<dim, n>& conditions, int layers) {
     std::vector<char> chosen;
@@ -111,8 +111,8 @@ std::vector<int> edge_of(const Part<dim>& part, const bodies::Conditions<dim, n>
     return edge;
 }
 
-/// What the equations of collocation are multiplied with to become those of linear elements, but for what an
-/// element is large: volumes, areas, or 1 where a value is given.
+/// Factors that scale the equations of collocation to those of linear elements, to leading order in the size
+/// of an element: minus the volume inside, an area (in the plane a length) for a load, 1 for a given value.
 template <int dim, int n>
 Eigen::VectorXd weights_of_elements(const bodies::Hats<dim, n>& hats,
                                     const bodies::Conditions<dim, n>& conditions,

@@ -21,8 +21,8 @@ struct System {
     Matrix elements;  ///< the equations of linear elements on the same cells, for a solution
     Matrix M;         ///< for eigenvalues
     Vector b;
-    Vector weights;  ///< what makes the rows of A those of the elements, but for what an element is large
-    std::vector<PetscInt> edge;  ///< own rows of particles with conditions, and of two layers around them
+    Vector weights;  ///< factors that scale the rows of A to those of the elements, to leading order
+    std::vector<PetscInt> edge;  ///< owned rows of particles with conditions, and of two layers around them
 };
 
 /// \param approximation of the part; none where it has no particles

@@ -21,14 +21,14 @@ class Whole {
 
     [[nodiscard]] Index particles() const { return particles_; }
 
-    /// A body of the same shape and sides, on which a problem can be judged before there are parts: of a grid
-    /// one with few particles; null on the processes that do not hold the body.
+    /// A body of the same shape and sides, to check a problem before there are parts: for a grid one with few
+    /// particles, for a mesh a copy of the body; null on the processes that do not hold it.
     [[nodiscard]] std::unique_ptr<Body<dim>> small() const;
 
     /// The part of this process, for a method. \param places where the solution will be asked
     [[nodiscard]] Part<dim> part(const Discretisation& how, const std::vector<Point<dim>>& places);
 
-    /// On the first process, the places of the particles that see others across a gap, bodies::across_gaps();
+    /// On the first process, the places of the particles with neighbours across a gap, bodies::across_gaps();
     /// of the method of part().
     [[nodiscard]] std::vector<Point<dim>> across_gaps() const;
 

@@ -212,7 +212,7 @@ class Reader {
         }
     }
 
-    /// Cuts a quadrangle along the diagonal that leaves the larger of the smaller triangles.
+    /// Cuts a quadrangle along the diagonal whose smaller triangle is the larger one.
     void add_quadrangle(const std::array<int, 4>& q) {
         const auto area = [&](int a, int b, int c) {
             const Point<3> ab = x_.col(b) - x_.col(a), ac = x_.col(c) - x_.col(a);
@@ -258,7 +258,7 @@ class Reader {
         }
     }
 
-    std::unordered_map<std::size_t, int> number_;  // of a node by that of Gmsh's
+    std::unordered_map<std::size_t, int> number_;  // of a node, from its number in Gmsh
     Eigen::Matrix3Xd x_;
     Mesh<dim> mesh_;
 };
@@ -291,7 +291,7 @@ Model read(const std::string& path, std::optional<double> size) {
                                           : 1;
         if (dim < 2 && is_mesh)
             throw InvalidInput(
-                "it has no triangles and no tetrahedra; Gmsh writes what is in physical groups, if there are any: add a Physical Surface or Volume to the drawing");
+                "it has no triangles and no tetrahedra; of a drawing with physical groups, Gmsh writes these only: add a Physical Surface or Volume to the drawing");
         if (dim < 2)
             throw InvalidInput("it has no surface and no volume; a body needs a Plane Surface or a Volume");
         if (!is_mesh) {
@@ -306,7 +306,7 @@ Model read(const std::string& path, std::optional<double> size) {
         throw InvalidInput(message.starts_with(path) || message.starts_with("--") ? message
                                                                                   : path + ": " + message);
     } catch (const std::string& error) {  // Gmsh throws texts
-        throw InvalidInput(path + ": Gmsh cannot read it: " + error + "; mend it there, gmsh " + path +
+        throw InvalidInput(path + ": Gmsh cannot read it: " + error + "; correct it there, gmsh " + path +
                            " shows it");
     }
 }

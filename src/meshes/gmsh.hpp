@@ -21,8 +21,7 @@ struct Model {
 /// physical groups, only those. The nodes are the particles, the physical groups of curves or surfaces the
 /// sides. Elements of second order count by their corners. Drawings are meshed by triangles and tetrahedra,
 /// the same each time.
-/// \param size of the cells of a drawing [length]; it goes before all sizes that the drawing gives. Without
-///        it, those hold.
+/// \param size of the cells of a drawing, in place of all sizes in the drawing [length]; else those hold
 /// \throws base::InvalidInput in one line with the file, the cause and a remedy: for a file that cannot be
 ///         read or meshed, in Gmsh's words; for a size that is not positive, gives more than 5 million
 ///         particles or comes with a mesh; for a mesh of the wrong dimension or with other cells than

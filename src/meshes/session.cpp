@@ -81,7 +81,7 @@ void Session::check(const std::string& what) const {
         for (const std::string label : {"Error: ", "Fatal: "})
             if (line.starts_with(label))
                 throw InvalidInput(path_ + ": " + what + ": " + line.substr(label.size()) +
-                                   "; mend it there, gmsh " + path_ + " shows it");
+                                   "; correct it there, gmsh " + path_ + " shows it");
 }
 
 void check_file(const std::string& path) {

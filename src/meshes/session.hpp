@@ -5,7 +5,7 @@
 // Gmsh's library, started for one file.
 namespace meshes {
 
-/// Keeps what libraries say on the standard output away from it, where a table goes.
+/// Discards what libraries print on the standard output, which is for the table.
 class Quiet {
   public:
     Quiet();
@@ -36,7 +36,7 @@ class Session {
     int threads_;
 };
 
-/// \throws base::InvalidInput for a file that is none, or not to be read
+/// \throws base::InvalidInput for a folder, and for a file that cannot be read
 void check_file(const std::string& path);
 
 }  // namespace meshes

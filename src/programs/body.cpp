@@ -208,7 +208,7 @@ class BodyTable {
         if (!numbers.empty()) all.push_back(numbers);
         if (options_.refine > 1)
             all.emplace_back(
-                "clouds of --size, size/sqrt(2), ...; from the last three: the observed order, the extrapolated value, and its uncertainty 1.25 |f3 - f2|/(r^p - 1), or three times the range for an order that cannot be");
+                "clouds of --size, size/sqrt(2), ...; from the last three: the observed order, the extrapolated value, and its uncertainty 1.25 |f3 - f2|/(r^p - 1), or three times the range where no order can be observed");
         return all;
     }
 

@@ -28,9 +28,9 @@ int main(int argc, char** argv) {
         if (most.by == 0)
             std::cout << "no number moved\n";
         else
-            std::cout << "most moved row " << most.row + 1 << ", " << most.column << ", by "
+            std::cout << "largest change in row " << most.row + 1 << ", " << most.column << ", by "
                       << base::shown(most.by, 2) << ", " << base::shown(100 * most.share, 2)
-                      << " % of what it may\n";
+                      << " % of its tolerance\n";
         return 0;
     });
 }

@@ -23,7 +23,7 @@ using particles::Exponents;
 using particles::Index;
 using report::Cell;
 
-/// Where a Gaussian is cut that is not.
+/// Value of --cut for a Gaussian that is not cut.
 constexpr double no_cut = std::numeric_limits<double>::infinity();
 
 struct Options {
@@ -84,7 +84,7 @@ struct Result {
     std::string failure{};
 };
 
-/// Constants below this fraction of a row's largest vanish, or stand where the Gaussian is cut.
+/// Relative tolerance below which a constant counts as zero: the cut of the Gaussian leaves small ones.
 constexpr double negligible = 1e-9;
 
 /// "1112", the coordinates of a derivative.

@@ -63,7 +63,6 @@ std::vector<std::vector<Cell>> states(const Options& options, const Case& one,
     return rows;
 }
 
-/// A table with its comments.
 report::Table begun(const Options& options, std::vector<std::string> about) {
     report::Table table;
     table.comments = std::move(about);

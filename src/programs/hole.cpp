@@ -18,7 +18,7 @@ using namespace batra2008;
 using command_line::ExampleCase;
 using report::Cell;
 
-/// What the hole can be asked beside what both example problems can.
+/// The options of the hole, and those of both example problems.
 struct Options : command_line::ExampleOptions {
     std::vector<std::string> layouts{"graded-188-11"};
     std::vector<std::string> columns;  ///< of the positions in files

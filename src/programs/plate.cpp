@@ -21,7 +21,7 @@ using command_line::ExampleCase;
 using report::Cell;
 using Pair = std::array<std::string, 2>;
 
-/// What the plate can be asked beside what both example problems can.
+/// The options of the plate, and those of both example problems.
 struct Options : command_line::ExampleOptions {
     std::vector<std::string> grids{"16x4"};
     std::array<std::string, 4> corners{"s11,s22", "s11,s22", "u1,u2", "u1,u2"};

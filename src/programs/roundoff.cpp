@@ -141,10 +141,12 @@ int main(int argc, char** argv) {
     std::string output;
     app.add_list("--formulation", choice.formulations,
                  "which formulations, of order 1 or 2 (default modified_fpm,second_order_fpm)");
-    app.add_option("--most", choice.most, "particles at most in double and long precision (default 1000000)")
+    app.add_option("--most", choice.most,
+                   "largest number of particles in double and long precision (default 1000000)")
         .type_name("N")
         .within(10, 10000000);
-    app.add_option("--most-quad", choice.most_quad, "particles at most in quad precision (default 10000)")
+    app.add_option("--most-quad", choice.most_quad,
+                   "largest number of particles in quad precision (default 10000)")
         .type_name("N")
         .within(10, 10000000);
     app.add_threads(threads);

@@ -19,7 +19,7 @@ using command_line::Case;
 using command_line::formulation_named;
 using report::Cell;
 
-/// What this test can be asked beside what all numerical tests can.
+/// The options of this test, and those of all numerical tests.
 struct Options : command_line::Options {
     std::string end;  ///< the formulation of the derivative at x = 1; empty for each its own
     std::optional<std::string> displacement;  ///< the user's
@@ -74,7 +74,6 @@ std::vector<std::vector<Cell>> states(const Options& options, const Case& one,
     return rows;
 }
 
-/// A table with its comments.
 report::Table begun(const Options& options, const std::string& about) {
     report::Table table;
     table.comments = {"Asprone et al. (2010), Section 5.2, Figure 2: " + about + ", (45) with " +
@@ -142,8 +141,8 @@ int main(int argc, char** argv) {
                expressions::vocabulary())
         .type_name("TEXT");
     app.add_option("--corrections", options.corrections,
-                   "how often the solution is corrected for its residual, at most (default " +
-                       std::to_string(options.corrections) + "; fewer where that no longer helps)")
+                   "most corrections of the solution by its residual, iterative refinement (default " +
+                       std::to_string(options.corrections) + "; it ends earlier where that no longer helps)")
         .type_name("K")
         .within(0, static_test::most_corrections);
     command_line::add_precision(app, options);

@@ -16,7 +16,7 @@ using command_line::Found;
 using command_line::Placed;
 using particles::Column;
 
-/// What the static test can be asked beside what all tests in space can.
+/// The options of the static test, and those of all tests in space.
 struct Options : CloudOptions {
     std::vector<std::string> conditions{"mixed"};
 };

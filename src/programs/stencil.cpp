@@ -25,7 +25,7 @@ std::string conditions(const std::string& formulation, const particles::Neighbou
     return text.empty() ? "no local system with a matrix of this paper" : text;
 }
 
-/// What a row leaves of Taylor's expansion, term by term.
+/// The moments of a row, and the term of Taylor's expansion that each wrong moment leaves as an error.
 std::vector<std::string> terms(const Stencil<double>& stencil, int derivative) {
     std::vector<std::string> lines;
     const std::string name = derivative == 1 ? "D" : "D2";

@@ -27,7 +27,7 @@ using vibration_test::Mass;
 
 const std::vector<std::string> references{"fem_lumped", "fem_consistent"};
 
-/// What this test can be asked beside what all numerical tests can.
+/// The options of this test, and those of all numerical tests.
 struct Options : command_line::Options {
     long lowest = 0;  ///< the number of modes; 0 for all
 };

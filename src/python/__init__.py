@@ -8,9 +8,9 @@ weights     those of one particle, with their moments and the bound of their err
 solve       a boundary-value problem on a body of your own; boundary helps to name its sides
 table       what a program of the package prints, as a structured array; read_table reads one of its files
 
-Arrays may be lists, of any real type, not contiguous or read-only; they are only read. What has no meaning
-raises ValueError, and what cannot be computed RuntimeError; the message says what helps. While C++ computes,
-other threads of Python run. OMP_NUM_THREADS is the number of its own threads.
+An array may be a list, of any real type, contiguous or not, writable or not; it is never changed. Invalid
+input raises ValueError, a failed computation RuntimeError; the message names a remedy. While C++ computes,
+other threads of Python run. OMP_NUM_THREADS sets the number of C++'s threads.
 """
 
 import csv
@@ -137,19 +137,20 @@ def solve(points, cells, sides=None, *, at=None, smoothing_from="local", **probl
                              traction={"tip": (0, -1e6)}, pressure={"bore": 5e6}
       equation="poisson"     -div(k grad u) + c u = f: conductivity=, source=, reaction=,
                              value={"wall": 0}, flux={"base": 1e4}, convection={"fins": (50, 293)}
-      method="hats"          or "fpm", "strong", "weak1", "weak2". Of all but fpm: degree=2 (of hats in the plane
-                             3), scaling=3; of the weak forms and hats: gauss=10, penalty=1; of fpm: smoothing=1.2.
+      method="hats"          or "fpm", "strong", "weak1", "weak2". Of all but fpm: degree=2 (3 for hats in the
+                             plane), scaling=3; of weak1, weak2: gauss=10, penalty=1; of fpm: smoothing=1.2.
                              smoothing_from is a name, a length, or N lengths
 
-    A flux is what enters, a pressure pushes, and convection=(a, u0) is the flux a (u0 - u). A side on which nothing
-    is given is free of loads, or insulated. Texts know x, y, z, pi, e, + - * / ^ ( ), sqrt, exp, log, abs, min, max,
-    sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, atan2 and hypot.
+    A positive flux enters the body, a positive pressure pushes on it, and convection=(a, u0) is the flux
+    a (u0 - u). A side without conditions is free of loads, or insulated. Texts know x, y, z, pi, e,
+    + - * / ^ ( ), sqrt, exp, log, abs, min, max, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, atan2
+    and hypot.
 
     Returns (fields, numbers). fields is a structured array, a row for each place: x, y(, z), then u1, u2(, u3),
     s11, s22, ... and von_mises, or u and the flux of heat q1, q2(, q3). numbers is a dict: max_displacement and
     max_von_mises, or max_u and min_u; the forces load1:SIDE, reaction1:SIDE and volume1 (of the body force or
-    source); and what tells of errors: quality, noise, missed_loads, defect. What is wrong with them is a warning,
-    too; where the forces are far from equilibrium it is a RuntimeError.
+    source); and the error measures quality, noise, missed_loads and defect. One above its limit is a warning,
+    too; a defect above 10 % is a RuntimeError.
     """
     return core.solve(points, cells, sides, at, smoothing_from, problem)
 

@@ -28,7 +28,7 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// \param name of the argument, for messages
 /// \param shapes that are possible, in words: "(N,)"
-/// \throws base::InvalidInput for what is no array of real numbers with one of so many dimensions
+/// \throws base::InvalidInput for anything but an array of real numbers with this number of dimensions
 Numbers numbers(const py::handle& given, const std::string& name, Index dimensions,
                 const std::string& shapes);
 

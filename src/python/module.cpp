@@ -12,7 +12,7 @@
 
 PYBIND11_MODULE(core, module) {
     gsl_set_error_handler_off();  // which would end the process
-    // The threads of OpenMP do not survive a fork, and to wait for them takes for ever.
+    // OpenMP's threads do not survive a fork; the child would wait for them for ever.
     pthread_atfork(nullptr, nullptr, [] { omp_set_num_threads(1); });
     pybind11::register_exception_translator([](std::exception_ptr thrown) {
         try {

@@ -21,7 +21,7 @@ py::object key(const particles::Exponents<dim>& a) {
         return py::make_tuple(a[0], a[1], a[2]);
 }
 
-/// How the module's functions are asked for a line: the keywords beside the positions.
+/// The keywords of the module's functions on a line, beside the positions.
 struct OnLine {
     /// \param how kernel, smoothing, smoothing_from, volumes
     explicit OnLine(const py::args& how);

@@ -28,7 +28,7 @@ using bodies::Points;
 
 namespace {
 
-/// In the line that calls solve.
+/// Warns at the line that calls solve.
 void warn(const std::string& remark) {
     if (PyErr_WarnEx(PyExc_UserWarning, in_python(remark).c_str(), 2) != 0) throw py::error_already_set();
 }
@@ -60,7 +60,7 @@ std::string text_of(const std::string& keyword, const py::handle& value) {
     return py::repr(number);
 }
 
-/// What one keyword says to the options of the command line: one, or one for each side or name.
+/// A keyword as values of its command-line option: one, or one for each side or name.
 std::vector<std::string> texts_of(const std::string& keyword, const py::handle& value) {
     static const std::set<std::string> of_sides{"fix",   "symmetry", "displacement", "traction", "pressure",
                                                 "value", "flux",     "convection",   "corner"};
@@ -242,7 +242,7 @@ template <int dim, int n>
 py::tuple solved(const command_line::BodyOptions& options, const particles::Spacing& spacing,
                  const Points<dim>& points, const Body<dim>& body, const std::optional<Points<dim>>& at) {
     std::optional<py::gil_scoped_release> others_run(std::in_place);
-    // METIS, which orders the unknowns, draws from the one rand() of a process, and OpenBLAS has one number of threads.
+    // METIS draws from the one rand() of a process, and OpenBLAS has one number of threads: one at a time.
     static std::mutex one_at_a_time;
     std::unique_lock<std::mutex> turn(one_at_a_time);
     std::optional<solvers::OneBlasThread> alone(std::in_place);

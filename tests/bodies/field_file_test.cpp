@@ -80,10 +80,9 @@ TEST_CASE(
     }
     CHECK_THROWS_WITH_AS(write_field(file, two_triangles(), {{"q", Eigen::MatrixXd::Zero(1, 3)}}),
                          "the field q has 3 columns for 4 particles", base::FailedComputation);
-    CHECK_THROWS_WITH_AS(
-        check_field_path("f.vtk"),
-        "--field f.vtk is no file for a field; let its name end with .vtu, for ParaView, or .csv",
-        base::InvalidInput);
+    CHECK_THROWS_WITH_AS(check_field_path("f.vtk"),
+                         "--field f.vtk: the name must end with .vtu, for ParaView, or with .csv",
+                         base::InvalidInput);
     CHECK(report::read_whole(file) == first);
     CHECK(folder.entries() == 1);
 }

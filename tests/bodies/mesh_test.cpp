@@ -227,15 +227,15 @@ TEST_CASE("mesh: what is no body is refused with its place and a remedy") {
           "curve 5 at (0.25, 0) has two names, 'wall' and 'bottom'; leave it in one Physical Curve");
     CHECK(
         patched({{5, {"crack"}, {{1, 4}}}}) ==
-        "the Physical Curve 'crack' lies inside the body at (0.5, 0.25): it has no cracks and no interfaces; take curve 5 out of this group");
+        "the Physical Curve 'crack' lies inside the body at (0.5, 0.25): a body has no cracks and no interfaces; take curve 5 out of this group");
     CHECK(
         patched({{5, {"chord"}, {{0, 8}}}}) ==
         "the Physical Curve 'chord' borders no cell at (0.5, 0.5); take curve 5 out of this group, or add the part that it borders to the body");
     Mesh<2> changed = mesh;
     changed.x(1, 4) = std::nan("");
-    CHECK(refusal(changed) == "a node lies at (0.5, nan); positions must be finite, mesh it anew");
+    CHECK(refusal(changed) == "a node lies at (0.5, nan); positions must be finite, remesh the body");
     changed.x.col(4) = Point<2>(0, 0);
-    CHECK(refusal(changed) == "the cell at (0.166667, 0) has no area; remove it, or mesh anew");
+    CHECK(refusal(changed) == "the cell at (0.166667, 0) has no area; remove it, or remesh the body");
     changed = mesh;
     changed.x = (Points<2>(2, 12) << mesh.x, Points<2>(mesh.x.middleCols(2, 3).colwise() + Point<2>(0.5, 0)))
                     .finished();
@@ -251,7 +251,7 @@ TEST_CASE("mesh: what is no body is refused with its place and a remedy") {
     changed.cells.push_back(changed.cells[3]);
     CHECK(
         refusal(changed) ==
-        "cells overlap beside the facet at (0.5, 0.25); remove those that are there twice, or draw the union of the parts");
+        "cells overlap beside the facet at (0.5, 0.25); remove duplicate cells, or draw the union of the parts");
     CHECK(refusal(Mesh<2>{mesh.x, {mesh.cells[0], mesh.cells[0]}, {}})
               .starts_with("cells overlap beside the facet"));
 }
@@ -277,5 +277,5 @@ TEST_CASE("mesh: tetrahedra that meet in crossed diagonals are refused, with the
     CHECK(body_of(two_cubes(false)).sides[0].pieces.size() == 20);
     const std::string refused = refusal(two_cubes(true));
     CHECK(refused.starts_with("behind the facet at (1, "));
-    CHECK(refused.ends_with(" lies a cell that does not share it: cells must fit together; mesh anew"));
+    CHECK(refused.ends_with(" lies a cell that does not share it: cells must fit together; remesh the body"));
 }

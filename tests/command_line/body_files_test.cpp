@@ -225,7 +225,7 @@ TEST_CASE("body_files: what is no boundary is refused with file and line") {
              "line 2: 'a,1,0,0' is the only place of its side; a side needs two at least"},
             {begin + "a,1,0,0\na,1,1,0\n",
              "line 3: 'a,1,1,0' has the same order as line 2; number the places along the side"},
-            {begin + "a,1,0,0\na,2,0,0\n", "line 3: 'a,2,0,0' is the place of line 2 again; leave one out"},
+            {begin + "a,1,0,0\na,2,0,0\n", "line 3: 'a,2,0,0' repeats the place of line 2; leave one out"},
             {begin + "a,1,0,0\na,2,1,0\n",
              "line 2: 'a,1,0,0' begins a side of two places that meets no other side; add what closes the boundary"},
             {begin + "a,1,0,0\na,2,1,0\nb,1,1,0\nb,2,1,1\nb,3,0,1\n",

@@ -82,7 +82,7 @@ TEST_CASE("columns: a first line of numbers in quotes, or with a number that is 
         CHECK_THROWS_WITH_AS(
             Columns("--option", path),
             doctest::Contains(
-                ("line 1: '" + first + "' has a name and a number; mend it, or put # before it").c_str()),
+                ("line 1: '" + first + "' has a name and a number; correct it, or put # before it").c_str()),
             base::InvalidInput);
     }
     report::write_whole(path, "layout 1 of two\n0.1 0.3\n");

@@ -135,8 +135,7 @@ TEST_CASE("solution: the lowest eigenvalues are those of one machine") {
     }
     const auto part = distributed::part_of(grid, by(Method::fpm), all.count(), all.rank());
     CHECK_THROWS_WITH_AS(distributed::eigenvalues(all, part, support::heat<2>(), 1000),
-                         "a body of 475 particles has from 1 to 237 modes worth computing, not 1000",
-                         base::InvalidInput);
+                         "ask for 1 to 237 modes on 475 particles, got 1000", base::InvalidInput);
 }
 
 TEST_CASE("solution: derivatives that cannot be trusted on one process are refused on all") {
@@ -158,7 +157,7 @@ TEST_CASE("solution: a method whose equations need the whole body is refused") {
     const auto part =
         distributed::part_of(Grid<2>{{9, 9}, {1, 1}}, by(Method::weak1), all.count(), all.rank());
     CHECK_THROWS_WITH_AS(distributed::solve(all, part, support::heat<2>()),
-                         "weak1: its equations are made on one machine; on several take fpm or strong",
+                         "weak1: works on one machine only, in the program body; here take fpm or strong",
                          base::InvalidInput);
 }
 

@@ -285,7 +285,7 @@ TEST_CASE("gmsh: groups without names have their numbers, and two parts may be a
 TEST_CASE("gmsh: what cannot be read or meshed is refused in one line, in Gmsh's words") {
     CHECK(
         refusal("Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0}\nLine(1) = {1, 2};\n") ==
-        "body.geo: Gmsh cannot read it: 'body.geo', line 3: syntax error (Line); mend it there, gmsh body.geo shows it");
+        "body.geo: Gmsh cannot read it: 'body.geo', line 3: syntax error (Line); correct it there, gmsh body.geo shows it");
     CHECK(
         refusal(ell.substr(0, ell.find("Curve Loop")) + "Curve Loop(1) = {1:5};\nPlane Surface(1) = {1};\n",
                 0.5)
@@ -338,7 +338,7 @@ TEST_CASE("gmsh: meshes of another dimension and other cells are refused") {
     for (const double version : {2.2, 4.1})
         CHECK(
             refusal(mesh_of(square, 2, 0.5, 1, version), {}, "body.msh") ==
-            "body.msh: it has no triangles and no tetrahedra; Gmsh writes what is in physical groups, if there are any: add a Physical Surface or Volume to the drawing");
+            "body.msh: it has no triangles and no tetrahedra; of a drawing with physical groups, Gmsh writes these only: add a Physical Surface or Volume to the drawing");
     CHECK(
         refusal(
             "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\nRotate {{1, 0, 0}, {0, 0, 0}, Pi/4} {Surface{1};}\n",

@@ -251,7 +251,7 @@ TEST_CASE("body: bad invocations end with one line, exit code 2 and no output") 
              {elastic + " --fix wall --at 1", "'1' is no place of this body; write --at 0.1,0.2"},
              {elastic + " --fix wall --along 0,0:1,1", "is no line of places"},
              {elastic + " --fix wall --method weak3", "there is no method 'weak3'"},
-             {elastic + " --fix wall --method strong --gauss 4", "--gauss belongs to the weak forms"},
+             {elastic + " --fix wall --method strong --gauss 4", "--gauss belongs to weak1 and weak2"},
              {elastic + " --fix wall --smoothing 1.3", "--smoothing belongs to fpm"},
              {elastic + " --fix wall --method fpm,strong --plot a.svg", "--plot draws one method"},
              {elastic + " --fix wall --modes 2 --at 1,0.5", "--modes asks for eigenvalues"},

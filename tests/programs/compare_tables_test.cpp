@@ -11,7 +11,7 @@ TEST_CASE("compare_tables: equal tables pass, a number beyond its tolerance fail
     const auto close = run("compare_tables " + a + " " + b);
     CHECK(close.code == 0);
     CHECK(close.output.ends_with(
-        "1 rows, all within tolerance; most moved row 1, error, by 0.005, 50 % of what it may\n"));
+        "1 rows, all within tolerance; largest change in row 1, error, by 0.005, 50 % of its tolerance\n"));
     CHECK(run("compare_tables " + a + " " + a).output.ends_with("no number moved\n"));
     report::write_whole(b, head + "first,1.05\n");
     const auto [code, output, errors] = run("compare_tables " + a + " " + b);

@@ -106,8 +106,8 @@ TEST_CASE("distributed: modes by options of SLEPc that do not give the lowest ar
         const auto refused = [&](const std::string& options, int code, const std::string& why) {
             check_refused("distributed " + membrane_modes + options, code, why, prefix);
         };
-        refused("-st_pc_type jacobi", 1, "the residual of the eigenvalue ");
-        refused("-st_ksp_type preonly -st_pc_type bjacobi", 1, "the residual of the eigenvalue ");
+        refused("-st_pc_type jacobi", 1, "the relative residual of the eigenvalue ");
+        refused("-st_ksp_type preonly -st_pc_type bjacobi", 1, "the relative residual of the eigenvalue ");
         refused("-eps_target 50", 2, "--modes finds the smallest eigenvalues");
         refused("-st_type shift", 2, "--modes finds the smallest eigenvalues");
     }
@@ -181,12 +181,13 @@ TEST_CASE("distributed: what cannot be done is refused in one line, on many proc
         refused("--grid 9x9 --equation poisson --value top:0 --at 2,0", 2, "lies outside of the body");
         refused("--grid 9x9 --equation poisson --value 'top: 1/x'", 2, "(0, 1)");
         refused("--grid 9x9 --equation poisson --value top:0 --field u.vtu", 2,
-                "let its name end with .pvtu");
+                "the name must end with .pvtu");
         refused("--grid 9x9 --equation poisson --value top:0 --field u.pvtu --output u_0.vtu", 2,
                 "--field and --output name the same file, u_0.vtu");
         refused("--grid 9x9 --equation poisson --value top:0 --output /nowhere/t.csv", 1, "/nowhere/t.csv");
         refused("--grid 9x9 --equation poisson --value top:0 --field /nowhere/u.pvtu", 1, "/nowhere/u.pvtu");
-        refused("--grid 9x9 --equation poisson --value top:0 --modes 41", 2, "has from 1 to 40 modes");
+        refused("--grid 9x9 --equation poisson --value top:0 --modes 41", 2,
+                "ask for 1 to 40 modes on 81 particles, got 41");
         refused("--grid 9x9 --equation poisson --value top:0 --smoothing 0.3", 1, "fpm: at (");
         refused(
             "--grid 11x11 --lengths 1e-6x1e-6 --equation poisson --conductivity 1e9 --convection 'left: 1,20' --flux 'right: 1'",

@@ -95,7 +95,7 @@ TEST_CASE("plate: bad invocations end with one line, exit code 2 and no output")
              {"--scaling 1:0:3", "'1:0:3' is no range"},
              {"--scaling nan", "--scaling: 'nan' is no number"},
              {"--scaling -1", "the scaling factor must be positive"},
-             {"--degree 4", "monomials of degree 1, 2 or 3"},
+             {"--degree 4", "--degree must be 1, 2 or 3, got 4"},
              {"--degree 1.5", "'1.5' is no whole number"},
              {"--method strong --degree 1", "take --degree 2 or 3"},
              {"--gauss 0", "--gauss must lie between 1 and 1000"},

@@ -49,7 +49,7 @@ class Boundary(TestCase):
 
     def test_cells_that_are_there_twice_are_refused_with_the_place(self):
         points, cells = square(4)
-        with self.assertRaisesRegex(ValueError, r"^cells overlap beside the facet at \(.*\); remove those that are there twice, or draw the union of the parts$"):
+        with self.assertRaisesRegex(ValueError, r"^cells overlap beside the facet at \(.*\); remove duplicate cells, or draw the union of the parts$"):
             boundary(points, numpy.concatenate([cells, cells[:1]]))
 
     def test_tetrahedra_that_do_not_fit_together_are_refused(self):
@@ -57,7 +57,7 @@ class Boundary(TestCase):
         cells = scipy.spatial.Delaunay(points).simplices
         volumes = abs(numpy.linalg.det(points[cells[:, 1:]] - points[cells[:, :1]]))
         with self.assertRaisesRegex(
-            ValueError, r"^behind the facet at \(.*\) lies a cell that does not share it: cells must fit together; mesh anew$"
+            ValueError, r"^behind the facet at \(.*\) lies a cell that does not share it: cells must fit together; remesh the body$"
         ):
             boundary(points, cells[volumes > 1e-9])
 

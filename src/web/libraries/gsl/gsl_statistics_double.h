@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-/// The quantile of n numbers in increasing order, between two of them on the straight line between them.
+/// The quantile of n numbers in increasing order, by linear interpolation.
 inline double gsl_stats_quantile_from_sorted_data(const double* sample, std::size_t /*stride*/, std::size_t n,
                                                   double fraction) {
     const double place = fraction * static_cast<double>(n - 1);
