@@ -17,8 +17,8 @@ here(particles) = place(strcol("method"), particles > 400)
 kind(name) = strcol("layout")[1:5] eq name ? 1 : NaN
 shift(row) = 0.12 * (int(row) % 5 - 2)
 # How many concentrations lie outside the range that is drawn.
-outside = system("awk -F, '/^method/ { for (k = 1; k <= NF; ++k) if ($k == \"stress_concentration\") c = k; next } \
-    !/^#/ && ($c < 2.5 || $c > 3.8)' " . table . " | wc -l")
+outside(more_than, at_most) = system("awk -F, '/^method/ { for (k = 1; k <= NF; ++k) { if ($k == \"stress_concentration\") c = k; if ($k == \"particles\") p = k } next } \
+    !/^#/ && $p > " . more_than . " && $p <= " . at_most . " && ($c < 2.5 || $c > 3.8)' " . table . " | wc -l")
 # How many layouts there are: those that one method was solved on.
 count(particles) = strcol("method") eq "weak1" ? (particles > 400 ? (more = more + 1) : (fewer = fewer + 1)) : 0
 fewer = 0; more = 0
@@ -35,9 +35,9 @@ set label 2 sprintf("%d layouts of about 686 particles", more) at 5.6, graph 1.0
 do for [k = 1:4] {
     set tmargin at screen 0.925 - 0.228 * (k - 1); set bmargin at screen 0.755 - 0.228 * (k - 1)
     set ylabel names[k]
-    unset logscale y; set format y "%g"; unset label 3
-    if (k == 1) { set yrange [-4.6:-0.4]; set ytics 1 } else { set ytics autofreq }
-    if (k == 2) { set yrange [2.5:3.8]; set label 3 (outside . " lie outside, most of strong") at graph 0.98,0.95 right font ",12" textcolor rgb "#444444" }
+    unset logscale y; set format y "%g"; unset label 3; unset label 4
+    if (k == 1) { set yrange [-5.8:-0.4]; set ytics 1 } else { set ytics autofreq }
+    if (k == 2) { set yrange [2.5:3.8]; set label 3 (outside(0, 400) . " lie outside") at 3.7, graph 0.95 right font ",12" textcolor rgb "#444444"; set label 4 (outside(400, 10000) . " lie outside") at graph 0.98,0.95 right font ",12" textcolor rgb "#444444" }
     if (k > 2) { set logscale y; set yrange [1e-3:50] }
     unset key
     if (k == 4) { set key at screen 0.5,0.016 center center maxrows 1 samplen 1.5 width 0 }

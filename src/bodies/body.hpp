@@ -43,7 +43,7 @@ using Piece = std::conditional_t<dim == 2, particles::Curve, Triangle>;
 /// A particle on the boundary, and the unit outward normal there. A particle at a corner has several places.
 template <int dim>
 struct Place {
-    int particle;
+    int particle = 0;
     Point<dim> normal;
 };
 

@@ -70,21 +70,30 @@ constexpr double of_given = 1e-14;
 
 /// The size of F where the values of neighbouring particles differ by u. [force/area]
 template <int dim, int n>
-double force(const Sums<n>& sums, const Extent<dim>& extent, double u) {
+double size_of_F(const Sums<n>& sums, const Extent<dim>& extent, double u) {
     return sums.coefficient * u / extent.spacing();
 }
 
-/// The size of the terms whose sum is F.
+/// The load on the boundary that is in balance with the error of the source.
+template <int n>
+double load_of_error(const Sums<n>& sums) {
+    return sums.error_of_source * sums.in.area / sums.area;
+}
+
+/// The size of the terms whose sum is F, at least that of which the errors of what is given are a negligible
+/// share.
 template <int dim, int n>
 double size_of_terms(const Sums<n>& sums, const Extent<dim>& extent) {
-    return force(sums, extent, std::max(sums.largest_u, of_given / round_off_of_terms * sums.level));
+    const double errors = size_of_F(sums, extent, sums.error_of_values) + load_of_error(sums);
+    return std::max(size_of_F(sums, extent, sums.largest_u), errors / round_off_of_terms);
 }
 
 /// Size below which a load is round-off of the terms of F. [force/area]
 template <int dim, int n>
 double least_load(const Sums<n>& sums, const Extent<dim>& extent) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    return force(sums, extent, std::max(epsilon * sums.largest_u, of_given * sums.level));
+    const double u = std::max(epsilon * sums.largest_u, sums.error_of_values);
+    return size_of_F(sums, extent, u) + load_of_error(sums);
 }
 
 template <int dim, int n>
@@ -113,13 +122,14 @@ void add_side(Sums<n>& sums, const Side<dim>& side, const Problem<dim, n>& probl
         if (given->exchange)
             here.parts += at.weight * given->exchange(at.x) *
                           (std::abs(given->surroundings(at.x)) + state.u.stableNorm() +
-                           of_given / cancelled * std::abs(solution.level));
+                           sums.error_of_values / cancelled);
     }
 }
 
+/// \param error of the source
 template <int dim, int n>
 Forces<n> forces_in(const std::vector<IntegrationPoint<dim>>& volume, const Problem<dim, n>& problem,
-                    const Solution<dim, n>& solution) {
+                    const Solution<dim, n>& solution, double error) {
     Forces<n> all;
     const double c = problem.equation.c;
     if (!problem.equation.b && c == 0) return all;
@@ -128,7 +138,8 @@ Forces<n> forces_in(const std::vector<IntegrationPoint<dim>>& volume, const Prob
         const Values<n> of_u = c == 0 ? Values<n>(Values<n>::Zero())
                                       : Values<n>(c * state_above_level(problem, solution, at.x).u);
         all.load.add(at.weight, of_b - of_u);
-        all.parts += at.weight * (of_b.stableNorm() + of_u.stableNorm());
+        all.parts += at.weight * (of_b.stableNorm() + of_u.stableNorm() + error / cancelled);
+        all.area += at.weight;
     }
     return all;
 }
@@ -164,7 +175,6 @@ void add_particles(Sums<n>& sums, const Solution<dim, n>& solution, const std::v
     sums.unseen = unseen.maxCoeff();
     sums.gradients = gradient.square().sum();
     sums.largest_u = solution.above.cwiseAbs().maxCoeff();
-    sums.level = std::abs(solution.level);
 }
 
 template <int dim, int n>
@@ -202,7 +212,7 @@ template <int dim, int n>
 double missed_loads(const Sums<n>& sums, const Extent<dim>& extent) {
     if (share_of_terms(sums, extent) > round_off_of_terms) return std::sqrt(sums.missed / sums.sizes);
     const double load = std::sqrt(sums.applied / sums.area);
-    return load > least_load(sums, extent) ? std::sqrt(sums.missed / sums.applied) : 0;
+    return load > least_load(sums, extent) ? std::sqrt(sums.missed / std::max(sums.sizes, sums.applied)) : 0;
 }
 
 template <int dim, int n>
@@ -243,8 +253,12 @@ Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Soluti
              const std::vector<IntegrationPoint<dim>>& volume, double spacing, const std::vector<int>& own) {
     Sums<n> all{std::vector<Forces<n>>(problem.given.size())};
     const Problem<dim, n> above = above_level(problem, solution.level);
+    // If all given values are the level, their difference from it is exact.
+    const Range range = range_of(above, body, solution.conditions);
+    if (range.lowest < 0 || range.highest > 0) all.error_of_values = of_given * std::abs(solution.level);
+    all.error_of_source = of_given * problem.equation.c * std::abs(solution.level);
     for (const Side<dim>& side : body.sides) add_side(all, side, above, solution, spacing);
-    all.in = forces_in(volume, above, solution);
+    all.in = forces_in(volume, above, solution, all.error_of_source);
     add_particles(all, solution, own);
     if (body.x.cols() > 0) all.coefficient = problem.equation.A(body.x.col(0)).norm();
     return all;

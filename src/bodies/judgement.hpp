@@ -69,7 +69,7 @@ struct Forces {
     Integral<n> load;      ///< that is given
     Integral<n> reaction;  ///< the solution's own load where a value is given
     double parts = 0;      ///< integral of the sizes of the terms of a load, such as a u0 and a u
-    double area = 0;       ///< of the side
+    double area = 0;       ///< of the side, or the volume of the body
 };
 
 /// The numbers that a judgement is made of, except for `hats`. Those of the parts of a body give those of the
@@ -80,8 +80,9 @@ struct Sums {
     Forces<n> in{};
     double missed = 0, applied = 0, sizes = 0, area = 0;  ///< of loads and of F, squared, over the boundary
     double gradients = 0;                                 ///< squared, over the particles
-    double unseen = 0;  ///< largest part of the unknowns that the function misses, over h
-    double largest_u = 0, level = 0, coefficient = 0;  ///< sizes
+    double unseen = 0;                      ///< largest part of the unknowns that the function misses, over h
+    double largest_u = 0, coefficient = 0;  ///< sizes
+    double error_of_values = 0, error_of_source = 0;  ///< of what is given, from round-off, above the level
 };
 
 /// Calls `add` for each number that is a sum over the parts of a body, and `most` for each that is the
@@ -100,7 +101,9 @@ void combine(Sums<n>& sums, const Add& add, const Most& most) {
     forces(sums.in);
     for (double* number : {&sums.missed, &sums.applied, &sums.sizes, &sums.area, &sums.gradients})
         add(*number);
-    for (double* number : {&sums.unseen, &sums.largest_u, &sums.level, &sums.coefficient}) most(*number);
+    for (double* number :
+         {&sums.unseen, &sums.largest_u, &sums.coefficient, &sums.error_of_values, &sums.error_of_source})
+        most(*number);
 }
 
 /// \param body or a part of it, with the pieces over which this part integrates

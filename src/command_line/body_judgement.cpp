@@ -34,6 +34,11 @@ std::string listed(const std::vector<std::pair<std::string, bodies::Values<n>>>&
     return text.empty() ? "none" : text;
 }
 
+template <int n>
+bool is_round_off(const bodies::Judgement<n>& judged) {
+    return judged.share_of_terms > 0 && judged.share_of_terms <= bodies::round_off_of_terms;
+}
+
 /// What is wrong with a balance; nothing up to a defect of 2 %.
 /// \throws FailedComputation for a defect of more than 10 %
 template <int n>
@@ -84,10 +89,10 @@ Particles<dim> particles_of(const SolvedBody<dim, n>& solved) {
 template <int n>
 std::vector<std::string> about_round_off(const bodies::Discretisation& how,
                                          const bodies::Judgement<n>& judged) {
-    const double share = judged.share_of_terms;
-    if (share == 0 || share > bodies::round_off_of_terms) return {};
+    if (!is_round_off(judged)) return {};
     return {bodies::name(how.method) + (n == 1 ? ": fluxes" : ": stresses") +
-            " may be round-off: their size is " + shown(share, 2) + " of that of the terms that they sum"};
+            " may be round-off: their size is " + shown(judged.share_of_terms, 2) +
+            " of that of the terms that they sum"};
 }
 
 template <int dim, int n>
@@ -99,7 +104,11 @@ std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies
     const auto add = [&](bool wrong, const std::string& text) {
         if (wrong) all.push_back(method + text);
     };
-    if (const auto out_of_balance = remark(method, judged.balance, remedy)) all.push_back(*out_of_balance);
+    const std::string in_round_off = n == 1 ? "a smaller conductivity or a larger coefficient of convection"
+                                            : "displacements less a motion of the whole body";
+    if (const auto out_of_balance =
+            remark(method, judged.balance, is_round_off(judged) ? in_round_off : remedy))
+        all.push_back(*out_of_balance);
     add(how.degree != degree, "monomials of degree " + std::to_string(how.degree) +
                                   ", since the particles determine those of degree " +
                                   std::to_string(degree) + " badly somewhere");

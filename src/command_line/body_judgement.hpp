@@ -15,7 +15,7 @@ std::vector<Quantity<dim>> quantities(const bodies::Judgement<n>& judged);
 /// What remarks() judges beside a judgement.
 template <int dim>
 struct Particles {
-    double quality;               ///< the largest of a solution's rows
+    double quality = 0;           ///< the largest of a solution's rows
     bodies::Point<dim> worst;     ///< its place
     bodies::Index across = 0;     ///< how many have neighbours across a gap, bodies::across_gaps()
     bodies::Point<dim> one = {};  ///< the place of one of those

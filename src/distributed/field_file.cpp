@@ -14,7 +14,7 @@ const std::string ending = ".pvtu";
 
 /// An array of the index; vectors of the plane have a third component, as in the pieces.
 std::string array(const std::string& name, bodies::Index components) {
-    return "<PDataArray type=\"Float64\" Name=\"" + name + "\" NumberOfComponents=\"" +
+    return R"(<PDataArray type="Float64" Name=")" + name + R"(" NumberOfComponents=")" +
            std::to_string(components == 2 ? 3 : components) + "\"/>\n";
 }
 

@@ -20,7 +20,7 @@ double residual_of(EPS solver, const System& system, PetscInt k) {
     for (auto* parts : {&u, &Au, &Mu})
         for (Vector& part : *parts) require(MatCreateVecs(system.A, part.made(), nullptr));
     std::array<PetscScalar, 2> lambda{};
-    require(EPSGetEigenpair(solver, k, &lambda[0], &lambda[1], u[0], u[1]));
+    require(EPSGetEigenpair(solver, k, lambda.data(), &lambda[1], u[0], u[1]));
     for (std::size_t part = 0; part < 2; ++part) {
         require(MatMult(system.A, u[part], Au[part]));
         require(MatMult(system.M, u[part], Mu[part]));

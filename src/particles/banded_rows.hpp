@@ -213,7 +213,7 @@ inline std::optional<Sides> sides_of_pack(const Range* near, Index i, Index N) {
 /// begin at multiples of their size, so that a row has the same bytes whatever other rows are computed.
 template <class Work>
 void for_each_block(const Range& rows, Index N, const Work& work) {
-    constexpr Index block = 8 * Pack::lanes;
+    constexpr Index block = Index{8} * Pack::lanes;
     const Index before = rows.first / block;
     for_each_index((rows.last + block - 1) / block - before, [&](Index b) {
         const Index first = (before + b) * block;

@@ -21,7 +21,7 @@ struct Segment {
 /// circle, as around a hole, or within it, as in a disc.
 struct Arc {
     Point<2> centre;
-    double radius, from, to;
+    double radius = 0, from = 0, to = 0;
     bool bulges = false;  ///< outward: the region lies within the circle
 };
 

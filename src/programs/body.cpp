@@ -105,12 +105,12 @@ class BodyTable {
         results_.resize(methods.size());
         particles_.push_back(body.x.cols());
         for (std::size_t k = 0; k < methods.size(); ++k) {
-            auto& [how, clouds, failure] = results_[k];
-            how = methods[k];
-            if (!failure)
-                failure = command_line::failure_of([&] {
-                    clouds.push_back(options_.modes > 0 ? modes(options_, problem, body, how)
-                                                        : solved(problem, body, how, finest));
+            Results<dim>& here = results_[k];
+            here.how = methods[k];
+            if (!here.failure)
+                here.failure = command_line::failure_of([&] {
+                    here.clouds.push_back(options_.modes > 0 ? modes(options_, problem, body, methods[k])
+                                                             : solved(problem, body, methods[k], finest));
                 });
             progress.step();
         }

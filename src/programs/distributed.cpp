@@ -28,7 +28,7 @@ using distributed::Processes;
 /// The numbers of a text such as 101x51.
 std::vector<std::string> sizes(const std::string& option, const std::string& text,
                                const std::string& example) {
-    const std::vector<std::string> all = command_line::parts(text, 'x');
+    std::vector<std::string> all = command_line::parts(text, 'x');
     if (all.size() != 2 && all.size() != 3)
         throw InvalidInput(option + ": " + base::quoted(text) +
                            " is not a size along each of 2 or 3 axes; write " + option + " " + example);

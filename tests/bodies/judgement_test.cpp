@@ -240,6 +240,54 @@ TEST_CASE("judgement: given values that differ by round-off alone are one temper
     }
 }
 
+TEST_CASE("judgement: a temperature of the surroundings does not hide that heat enters on all sides") {
+    const Body<2> body = block<2>({{8, 8}, 0.15, 1});
+    const auto defect = [&](double load, double surroundings) {
+        Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 1.0; })};
+        heat.given = {{"left"}, {"right"}};
+        heat.given[0].loads = {[load](const Point<2>& x, const Point<2>&) {
+            return Values<1>(load * std::exp(-900 * (x[1] - 0.5) * (x[1] - 0.5)));
+        }};
+        heat.given[1].exchange = [](const Point<2>&) { return 5.0; };
+        heat.given[1].surroundings = [surroundings](const Point<2>&) { return surroundings; };
+        return judgement(heat, body, solve(heat, body, by(Method::fpm))).balance.defect;
+    };
+    CHECK(defect(1, 0) > 0.1);
+    CHECK(defect(1e-12, 300) == relative(defect(1, 0), 1e-6));
+}
+
+TEST_CASE("judgement: a source that is in balance with the reaction to round-off has no defect") {
+    const Body<2> body = block<2>({{10, 10}});
+    Problem<2, 1> heat{diffusion<2>([](const Point<2>&) { return 1e-4; })};
+    heat.equation.c = 0.7;
+    heat.equation.b = [](const Point<2>&) { return Values<1>(205.205); };
+    heat.given = {{"left"}};
+    for (const bool convection : {false, true})
+        for (const Method method : {Method::hats, Method::fpm, Method::strong}) {
+            INFO(name(method), " ", convection);
+            Given<2, 1>& given = heat.given[0];
+            given = {"left"};
+            (convection ? given.surroundings : given.value[0]) = [](const Point<2>&) { return 293.15; };
+            if (convection) given.exchange = [](const Point<2>&) { return 2.0; };
+            const auto judged = judgement(heat, body, solve(heat, body, by(method)));
+            CHECK(judged.balance.defect < 0.01);
+            CHECK(judged.missed_loads == 0);
+            CHECK(judged.noise == 0);
+        }
+}
+
+TEST_CASE("judgement: a motion of the whole body does not change which loads are missed") {
+    const Body<2> body = quarter_ring(12);
+    const auto missed = [&](double motion) {
+        Problem<2, 2> pulled{elasticity<2>({1, 0.3})};
+        const auto moved = [motion](const Point<2>&) { return motion; };
+        pulled.given = {{"bottom", {moved, moved}}, {"top"}};
+        pulled.given[1].loads = {[](const Point<2>&, const Point<2>&) { return Values<2>(1, 0); }};
+        return judgement(pulled, body, solve(pulled, body, by(Method::hats))).missed_loads;
+    };
+    CHECK(missed(1e9) == relative(missed(0), 1e-2));
+}
+
 TEST_CASE("judgement: loads that round-off of a large motion hides are missed") {
     const Body<2> body = block<2>({{8, 8}, 0.15, 1});
     Problem<2, 2> moved{elasticity<2>({1, 0.3})};
