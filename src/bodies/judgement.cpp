@@ -256,7 +256,7 @@ Sums<n> sums(const Problem<dim, n>& problem, const Body<dim>& body, const Soluti
     // If all given values are the level, their difference from it is exact.
     const Range range = range_of(above, body, solution.conditions);
     if (range.lowest < 0 || range.highest > 0) all.error_of_values = of_given * std::abs(solution.level);
-    all.error_of_source = of_given * problem.equation.c * std::abs(solution.level);
+    all.error_of_source = of_given * std::abs(problem.equation.c * solution.level);
     for (const Side<dim>& side : body.sides) add_side(all, side, above, solution, spacing);
     all.in = forces_in(volume, above, solution, all.error_of_source);
     add_particles(all, solution, own);

@@ -104,10 +104,9 @@ std::vector<std::string> remarks(const bodies::Discretisation& how, const bodies
     const auto add = [&](bool wrong, const std::string& text) {
         if (wrong) all.push_back(method + text);
     };
-    const std::string in_round_off = n == 1 ? "a smaller conductivity or a larger coefficient of convection"
-                                            : "displacements less a motion of the whole body";
+    const bool moves = n == dim && is_round_off(judged);
     if (const auto out_of_balance =
-            remark(method, judged.balance, is_round_off(judged) ? in_round_off : remedy))
+            remark(method, judged.balance, moves ? "displacements less a motion of the whole body" : remedy))
         all.push_back(*out_of_balance);
     add(how.degree != degree, "monomials of degree " + std::to_string(how.degree) +
                                   ", since the particles determine those of degree " +

@@ -49,6 +49,26 @@ TEST_CASE(
     CHECK(said(1e-3).empty());
 }
 
+TEST_CASE("body judgement: a load that a motion of the body hides is judged without the motion") {
+    const Body<2> body = support::block<2>({{10, 10}});
+    const auto said = [&](double motion) {
+        Problem<2, 2> problem{elasticity<2>({210e9, 0.3})};
+        const auto moved = [motion](const Point<2>&) { return motion; };
+        problem.given = {{"left", {moved, moved}}, {"right"}};
+        problem.given[1].loads.push_back([](const Point<2>&, const Point<2>&) { return Values<2>(3e-3, 0); });
+        Discretisation how;
+        how.method = Method::hats;
+        const auto solution = solve(problem, body, how);
+        const SolvedBody<2, 2> all{problem, body, solution, {210e9, 0.3}};
+        return command_line::remarks(solution.approximation.how(), judgement(problem, body, solution),
+                                     command_line::particles_of(all), how.degree, "THIS");
+    };
+    const std::string refused = support::refusal([&] { return said(1); });
+    CAPTURE(refused);
+    CHECK(refused.ends_with("; take displacements less a motion of the whole body"));
+    for (const std::string& remark : said(0)) CHECK(remark.find("defect") == std::string::npos);
+}
+
 TEST_CASE("body judgement: a solution far out of equilibrium is refused with its method, forces and remedy") {
     const std::string refused = support::refusal([] { return remarks_on_sheared(Method::strong); });
     CAPTURE(refused);
