@@ -1,6 +1,6 @@
-/// A kernel and a formulation of one's own on a line: the cosine kernel, which the second-order FPM of Asprone
-/// et al. (2010) takes as any other, and a fit of cubic polynomials. The errors of D²B fall with the second
-/// power of the particles' distance, at the ends as inside.
+/// A kernel and a formulation of one's own on a line: the cosine kernel, which the second-order FPM of
+/// Asprone et al. (2010) takes as any other, and a fit of cubic polynomials. The errors of D²B fall with the
+/// second power of the particles' distance, at the ends as inside.
 ///
 /// Build: make. The exit code is 0 if they do.
 #include <Eigen/LU>

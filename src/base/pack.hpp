@@ -14,7 +14,8 @@ namespace base {
 /// operations where registers are narrower, so that every lane has the same bits on all processors.
 ///
 /// A comparison has an answer for each lane; everywhere() and chosen() take the place of branches. A function
-/// of the header cmath is found for every scalar where it is called without std::, as in `using std::cos; cos(s)`.
+/// of the header cmath is found for every scalar where it is called without std::, as in
+/// `using std::cos; cos(s)`.
 struct Pack {
     static constexpr int lanes = numbers_in_register;
     using Vector [[gnu::vector_size(lanes * sizeof(double))]] = double;

@@ -21,7 +21,7 @@ BasesNear<m>::BasesNear(const particles::Cloud<2>& cloud, const particles::Trunc
 
 template <int m>
 Basis<2, m> BasesNear<m>::basis_at(const Point<2>& x) const {
-    const double edge = particles::reach<double>(kernel_);
+    const auto edge = particles::reach<double>(kernel_);
     Neighbourhood<double, 2> near{(x_.rowwise() - x.transpose().array()) / h_, {}, {}, {}};
     const Column<double> q = particles::squared_lengths(near.r);
     near.W = (q < edge * edge).select(kernel_.at(q), 0);

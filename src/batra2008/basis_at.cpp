@@ -1,6 +1,7 @@
 #include "batra2008/basis_at.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -87,7 +88,7 @@ Monomials<dim> monomials_of_degree() {
 template <int dim>
 struct Needs {
     Point<dim> x;
-    double h;                                               ///< at the place [length]
+    double h = 0;                                           ///< at the place [length]
     int k = 0;                                              ///< order of the derivative there
     Column<double> lengths{};                               ///< smoothing length of each particle
     std::vector<int> derivative{};                          ///< order of the derivative of each particle
@@ -124,10 +125,9 @@ bool serves(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials,
     return std::all_of(around.begin(), around.end(), [&](int i) {
         const Point<dim> to = cloud.x().col(i) - x;
         const double within_h = h_of(j) / std::max(to.norm(), h_of(j));
-        for (const double part : {0.25, 0.5, 0.75, 1.0})
-            if (!(monomials.quality(cloud, rho, h_of(j), x + part * within_h * to, 0) < needs.most))
-                return false;
-        return true;
+        return std::ranges::all_of(std::array{0.25, 0.5, 0.75, 1.0}, [&](double part) {
+            return monomials.quality(cloud, rho, h_of(j), x + part * within_h * to, 0) < needs.most;
+        });
     });
 }
 
@@ -234,7 +234,7 @@ template <int dim>
 std::string remedy(const particles::Cloud<dim>& cloud, const Monomials<dim>& monomials, double rho,
                    const Needs<dim>& needs) {
     const Point<dim>& x = needs.x;
-    if (const std::string more = particles::more_particles(cloud, monomials.number, monomials.degree);
+    if (std::string more = particles::more_particles(cloud, monomials.number, monomials.degree);
         !more.empty())
         return more;
     const std::string larger_h = smoothing_remedy(cloud, monomials, rho, needs);
@@ -327,8 +327,8 @@ particles::WorstRow require_quality(const particles::Cloud<dim>& cloud,
     if (refused < R.size()) {
         const Needs<dim> needs{cloud.x().col(refused), h[refused], k(refused), h, derivative, most / 10};
         const auto around = cloud.around(needs.x, kernel.rho() * needs.h);
-        const auto basis =
-            basis_or_refusal<m>(cloud, kernel, needs.x, needs.h, around, Slopes::none, [&] { return needs; });
+        const auto basis = basis_or_refusal<m>(cloud, kernel, needs.x, needs.h, around, Slopes::none,
+                                               [&]() -> const Needs<dim>& { return needs; });
         throw refusal(cloud, monomials_of_degree<m, dim>(), kernel.rho(), needs, basis.particle().size(),
                       may_err(needs.k, m, R[refused]));
     }

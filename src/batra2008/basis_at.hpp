@@ -49,7 +49,8 @@ double quality(const Basis<dim, m>& basis, int k) {
 }
 
 /// \param h smoothing length of each particle [length]
-/// \param derivative order k of the highest derivative in the equations of each particle; −1 where it has none
+/// \param derivative order k of the highest derivative in the equations of each particle; −1 where it has
+/// none
 /// \return the worst of these derivatives
 /// \throws base::FailedComputation unless each particle sees as many particles as there are monomials of
 ///         degree m, itself included, these determine the monomials, and R is at most \ref most; it names the

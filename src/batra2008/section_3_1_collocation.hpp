@@ -47,8 +47,8 @@ System assembled(const std::vector<std::vector<int>>& near, const EquationsOf& e
 /// | \f$K'_{IJ}\f$ | `Block` | two rows of the system, a 2 × 2 block for each neighbour |
 ///
 /// Departures from the print: entry (2, 2) of the matrix below \eq{B3.14} has ν0 n2 K3J; \eq{B3.3} and the
-/// symmetry of the stress require n2 K3J, and with the entry as printed the traction of linear displacements is
-/// wrong by half (\claim{B-3.1-traction}). The body force is zero there and kept here.
+/// symmetry of the stress require n2 K3J, and with the entry as printed the traction of linear displacements
+/// is wrong by half (\claim{B-3.1-traction}). The body force is zero there and kept here.
 ///
 /// What this section claims, and what was measured: \claims{B-3.1}.
 namespace collocation {

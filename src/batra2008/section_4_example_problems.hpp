@@ -99,9 +99,9 @@ State state_at(const Cloud<2>& cloud, const Solution& solution, const Point<2>& 
 /// | graded-188-11, draw 3, strong | 1.0 to 1.1 | -12.5 to -1.0 |
 /// | h to the 6th nearest particle, all methods | 6.6 to 171 | -14.7 to 6.3 |
 ///
-/// Of 287 layouts of 80 particles around the hole that were damaged in many ways and solved by weak1 or weak2,
-/// 284 had a noise below 0.1, and their displacements erred by 3.6 % at most; the two that erred by more than
-/// 5 %, by 69 and 393 %, had 0.35 and 0.67.
+/// Of 287 layouts of 80 particles around the hole that were damaged in many ways and solved by weak1 or
+/// weak2, 284 had a noise below 0.1, and their displacements erred by 3.6 % at most; the two that erred by
+/// more than 5 %, by 69 and 393 %, had 0.35 and 0.67.
 ///
 /// A large noise does not spoil everything: on the plate with 31 × 7 particles, h to the 6th nearest and
 /// weak1, it is 9.9, and the displacement errs by 1 %.

@@ -223,6 +223,7 @@ std::vector<std::vector<int>> parts(const Body<dim>& body) {
     std::map<int, std::vector<int>> by_root;
     for (int k = 0; k < static_cast<int>(root.size()); ++k) by_root[top(k)].push_back(k);
     std::vector<std::vector<int>> all;
+    all.reserve(by_root.size());
     for (auto& [first, particles] : by_root) all.push_back(std::move(particles));
     return all;
 }

@@ -25,7 +25,7 @@ Point<dim> centre(const Points<dim>& x, const std::array<int, dim + 1>& cell) {
 template <int dim>
 struct Simplex {
     Eigen::Matrix<double, dim + 1, dim> gradient;
-    double size;
+    double size = 0;
 };
 
 template <int dim>

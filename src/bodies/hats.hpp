@@ -37,8 +37,8 @@ class Hats {
     /// \f$\int W_I\,d\Omega\f$
     [[nodiscard]] double volume(Index I) const;
 
-    /// The residual of a particle's equations; where values are given, the reaction. [force]
-    [[nodiscard]] Values<n> residual(Index particle, const Eigen::VectorXd& u) const;
+    /// The residual of particle I's equations; where values are given, the reaction. [force]
+    [[nodiscard]] Values<n> residual(Index I, const Eigen::VectorXd& u) const;
 
   private:
     /// Weights of the function, and on a cell of its gradient.

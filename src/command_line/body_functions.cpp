@@ -59,8 +59,8 @@ bool is_constant(const std::string& text) {
 }
 
 template <int dim>
-Field<dim, Point<dim>> gradient(const std::string& option, const std::string& text) {
-    const auto f = expressions::directional(option, text, coordinates<dim>());
+Field<dim, Point<dim>> gradient(const std::string& where, const std::string& text) {
+    const auto f = expressions::directional(where, text, coordinates<dim>());
     return [f](const Point<dim>& x) {
         Point<dim> g;
         for (Index axis = 0; axis < dim; ++axis) {

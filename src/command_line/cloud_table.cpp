@@ -91,6 +91,7 @@ std::vector<std::vector<Cell>> rows(const CloudOptions& options, const std::vect
         const auto numbers = static_cast<std::size_t>(at - first.begin()) + keys + 1;
         for (std::size_t column = numbers; column < numbers + 3; ++column) {
             std::vector<double> sample;
+            sample.reserve(attempts.size());
             for (const Attempt& attempt : attempts)
                 sample.push_back(std::get<double>(attempt.numbers[column]));
             const auto [lower, median, upper] = report::quartiles(sample);

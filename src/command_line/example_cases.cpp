@@ -85,8 +85,7 @@ namespace {
 
 /// The methods by their names: "all" are those of the paper.
 std::vector<std::string> method_names(const ExampleOptions& options) {
-    const std::vector<std::string> of_paper{"strong", "weak1", "weak2"};
-    if (options.methods == std::vector<std::string>{"all"}) return of_paper;
+    if (options.methods == std::vector<std::string>{"all"}) return {"strong", "weak1", "weak2"};
     return chosen("method", options.methods, {"strong", "weak1", "weak2", "fpm"});
 }
 
@@ -111,8 +110,8 @@ void check_effect(const ExampleOptions& options, const std::vector<std::string>&
         refuse_without(fpm < std::ssize(methods), option,
                        "methods with an SSPH basis; add strong, weak1 or weak2");
     const std::string& states = options.states;
-    const bool on_a_line =
-        !states.empty() && states != "particles" && std::isalpha(static_cast<unsigned char>(states.front()));
+    const bool on_a_line = !states.empty() && states != "particles" &&
+                           std::isalpha(static_cast<unsigned char>(states.front())) != 0;
     if (options.given("--points") && !on_a_line)
         throw InvalidInput("--points belongs to a line of --states; name one, or leave --points out");
 }

@@ -67,6 +67,7 @@ void add_orders(report::Table& table, const std::vector<std::string>& same,
         into.insert(into.begin() + static_cast<std::ptrdiff_t>(place), what.begin(), what.end());
     };
     std::vector<report::ColumnHead> heads;
+    heads.reserve(all.size());
     for (const Errors& errors : all) heads.push_back({errors.order});
     insert(table.columns, heads);
     for (std::size_t row = 0; row < table.rows.size(); ++row) insert(table.rows[row], orders[row]);

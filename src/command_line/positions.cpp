@@ -219,7 +219,7 @@ template <int dim>
 Points<dim> read_points(const std::string& option, const std::string& path,
                         const std::vector<std::string>& columns, const std::string& what) {
     std::vector<double> x = coordinates_in(option, path, columns, what, dim);
-    if (x.size() < 2 * dim)
+    if (x.size() < std::size_t{2} * dim)
         throw InvalidInput(option + ": " + path + " has " + (x.empty() ? "no particle" : "one particle") +
                            "; at least two are needed, each on a line");
     return Eigen::Map<Points<dim>>(x.data(), dim, static_cast<Index>(x.size()) / dim);

@@ -121,7 +121,8 @@ particles::Spacing of_whole(const particles::Spacing& spacing, const Grid<dim>& 
     return spacing;
 }
 
-/// Kuhn's triangulation of a grid cell: a simplex for each order of the axes. \param steps to the next particle
+/// Kuhn's triangulation of a grid cell: a simplex for each order of the axes. \param steps to the next
+/// particle
 template <std::size_t corners, class Work>
 void for_each_simplex(std::array<Index, corners - 1> steps, const Work& work) {
     std::sort(steps.begin(), steps.end());

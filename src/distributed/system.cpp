@@ -178,7 +178,7 @@ System assembled(const Numbering& numbering, const Part<dim>& part, const bodies
                 part.own.begin() + static_cast<std::ptrdiff_t>(first),
                 part.own.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, own)));
             bodies::System some = bodies::collocated(problem, conditions, *approximation, wanted, rows);
-            SparseRows other = std::move(some.M);
+            SparseRows& other = some.M;
             if (for_solution) other = unity(some.A.rows());
             solvers::scale_rows(some.A, some.b, other);
             for (Index row = 0; row < some.A.rows(); ++row)

@@ -135,12 +135,12 @@ void require_quality(const std::vector<Row<dim>>& all, const Formulation<double,
     const Index i = first_bad<dim>(all, cloud, everywhere);
     if (i == cloud.size()) return;
     const auto serves = [&](const Smoothing<double, dim>& tried) {
+        const auto none_bad = [&](const Range& range) {
+            return first_bad<dim>(rows_of<dim>(formulation, cloud, tried, spacing, range), cloud, range) ==
+                   range.last;
+        };
         try {
-            for (const Range& range : {Range{i, i + 1}, everywhere})
-                if (first_bad<dim>(rows_of<dim>(formulation, cloud, tried, spacing, range), cloud, range) <
-                    range.last)
-                    return false;
-            return true;
+            return none_bad({i, i + 1}) && none_bad(everywhere);
         } catch (const FailedComputation&) {
             return false;
         }
@@ -286,7 +286,7 @@ AtParticle largest(const std::vector<AtParticle>& all, const Range& place) {
     return most;
 }
 
-FPM_IN_SPACE_STATIC_TEST(, 2)
-FPM_IN_SPACE_STATIC_TEST(, 3)
+FPM_IN_SPACE_STATIC_TEST(template, 2)
+FPM_IN_SPACE_STATIC_TEST(template, 3)
 
 }  // namespace fpm_in_space::static_test

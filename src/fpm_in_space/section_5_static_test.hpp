@@ -91,7 +91,7 @@ bool has_value(Conditions conditions, const Point<dim>& n) {
 template <int dim>
 struct Row {
     std::vector<int> particle;   ///< its neighbours in increasing order, itself among them
-    Index own;                   ///< its own place among them
+    Index own = 0;               ///< its own place among them
     Column<double> laplacian;    ///< \f$\sum_a w^{aa}_j\f$ [1/length²]
     Offsets<double, dim> first;  ///< \f$w^a_j\f$, a column for each axis [1/length]
     double R = 0;                ///< quality number of the Laplacian, particles::quality(), in units of δ
@@ -151,8 +151,8 @@ Rows<dim> rows(const Formulation<double, dim>& formulation, const Cloud<dim>& cl
                const Smoothing<double, dim>& smoothing, const Column<double>& spacing);
 
 /// The values at the particles. A large system is solved by GMRES. Its preconditioner has few neighbours
-/// inside, by ssph_with_value_given() of degree 2; within h of a side it has the rows themselves, since fluxes
-/// and one-sided neighbourhoods by two formulations are not alike. Without them it fails in space.
+/// inside, by ssph_with_value_given() of degree 2; within h of a side it has the rows themselves, since
+/// fluxes and one-sided neighbourhoods by two formulations are not alike. Without them it fails in space.
 /// \throws base::InvalidInput where B or a derivative is not finite
 /// \throws base::FailedComputation where the system is singular
 template <int dim>
@@ -177,17 +177,17 @@ std::vector<AtParticle> errors(const Rows<dim>& rows, const Cloud<dim>& cloud,
 AtParticle largest(const std::vector<AtParticle>& all, const Range& place);
 
 // Compiled once: section_5_static_test.cpp.
-#define FPM_IN_SPACE_STATIC_TEST(prefix, dim)                                                          \
-    prefix template Equation equation_at(const Row<dim>&, const Point<dim>&, const Function<dim>&,     \
-                                         Conditions);                                                  \
-    prefix template Rows<dim> rows(const Formulation<double, dim>&, const Cloud<dim>&,                 \
-                                   const Smoothing<double, dim>&, const Column<double>&);              \
-    prefix template Column<double> solution(const Rows<dim>&, const Cloud<dim>&, const Function<dim>&, \
-                                            Conditions);                                               \
-    prefix template std::vector<AtParticle> errors(const Rows<dim>&, const Cloud<dim>&,                \
-                                                   const Function<dim>&, const Column<double>&);
-FPM_IN_SPACE_STATIC_TEST(extern, 2)
-FPM_IN_SPACE_STATIC_TEST(extern, 3)
+// Keywords cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
+#define FPM_IN_SPACE_STATIC_TEST(TEMPLATE, dim)                                                              \
+    TEMPLATE Equation equation_at(const Row<dim>&, const Point<dim>&, const Function<dim>&, Conditions);     \
+    TEMPLATE Rows<dim> rows(const Formulation<double, dim>&, const Cloud<dim>&,                              \
+                            const Smoothing<double, dim>&, const Column<double>&);                           \
+    TEMPLATE Column<double> solution(const Rows<dim>&, const Cloud<dim>&, const Function<dim>&, Conditions); \
+    TEMPLATE std::vector<AtParticle> errors(const Rows<dim>&, const Cloud<dim>&, const Function<dim>&,       \
+                                            const Column<double>&);
+// NOLINTEND(bugprone-macro-parentheses)
+FPM_IN_SPACE_STATIC_TEST(extern template, 2)
+FPM_IN_SPACE_STATIC_TEST(extern template, 3)
 
 }  // namespace static_test
 }  // namespace fpm_in_space

@@ -7,10 +7,10 @@
 namespace fpm_in_space {
 
 /// The derivatives by the SSPH basis \eq{B2.8} of degree m whose expansion takes the value at the particle as
-/// given: without the constant monomial, on differences, weighted by W V. Of degree 3 its second derivatives are
-/// those of second_order_fpm::derivatives(). Of degree 2 it needs few neighbours, sees values that alternate
-/// from particle to particle as FPM does, and preconditions the equations of FPM: SSPH that leaves the value
-/// free does not see them, and the iteration fails.
+/// given: without the constant monomial, on differences, weighted by W V. Of degree 3 its second derivatives
+/// are those of second_order_fpm::derivatives(). Of degree 2 it needs few neighbours, sees values that
+/// alternate from particle to particle as FPM does, and preconditions the equations of FPM: SSPH that leaves
+/// the value free does not see them, and the iteration fails.
 /// \return weights on \f$B(x_j) - B(x_i)\f$ [1/h, 1/h²]
 template <int m, class Scalar, int dim>
 Derivatives<Scalar, dim> ssph_with_value_given(const Neighbourhood<Scalar, dim>& near) {

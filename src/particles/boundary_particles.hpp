@@ -11,8 +11,8 @@ namespace particles {
 constexpr double boundary_margin = 1e-3;
 
 /// Checks that the particles tell what boundary they have. Particles on it, within 1e-8 of the body's size,
-/// carry its conditions; the others are inner ones. What is asked of a part of the boundary is asked of the run
-/// of parts between two sharp corners: a curve cut into many sides needs no particle on each of them.
+/// carry its conditions; the others are inner ones. What is asked of a part of the boundary is asked of the
+/// run of parts between two sharp corners: a curve cut into many sides needs no particle on each of them.
 /// \param size a length of the body
 /// \throws base::InvalidInput with a remedy, naming a particle, for one that lies outside the body; beside a
 ///         part of the boundary within the boundary_margin; or within a quarter of its spacing, where that

@@ -46,8 +46,8 @@ void move_to_centres(std::vector<Point<2>>& x, const std::vector<Point<2>>& plac
                      int rounds = 1);
 
 /// Particles whose distances grow in proportion to r. In the logarithmic plane those on the boundary have
-/// equal distances; the others start by add_farthest() and move by move_to_centres() in 60 rounds. The result is
-/// a hexagonal pattern with faults. No curve of second degree runs through a neighbourhood, so that local
+/// equal distances; the others start by add_farthest() and move by move_to_centres() in 60 rounds. The result
+/// is a hexagonal pattern with faults. No curve of second degree runs through a neighbourhood, so that local
 /// fits of quadratics are well conditioned.
 /// \param N number of particles
 /// \param on_arc number of particles on the hole

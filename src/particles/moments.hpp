@@ -98,7 +98,7 @@ void for_each_group(const Offsets<Scalar, dim>& r, const Column<Scalar>& w, cons
     constexpr Index size = lanes<Scalar>;
     const Index N = w.size(), rest = N % size;
     const auto visit_group = [&](Index first, Index count, const auto& loaded) {
-        std::array<Lanes<Scalar>, dim> r_group;
+        std::array<Lanes<Scalar>, dim> r_group{};
         for (std::size_t axis = 0; axis < dim; ++axis)
             r_group[axis] = loaded(r.data() + static_cast<Index>(axis) * r.rows() + first);
         visit(first, count, r_group, loaded(w.data() + first));
@@ -121,7 +121,7 @@ void for_each_group(const Offsets<Scalar, dim>& r, const Column<Scalar>& w, cons
 template <int dim, int m, class Lanes>
 std::array<Lanes, terms<dim, m>> monomials_at(const std::array<Lanes, dim>& r, const Lanes& factor) {
     static constexpr auto of = factors_of_monomials<dim, m>();
-    std::array<Lanes, terms<dim, m>> p;
+    std::array<Lanes, terms<dim, m>> p{};
     p[0] = factor;
     [&]<std::size_t... k>(std::index_sequence<k...>) {
         ((p[1 + k] = p[of[1 + k].monomial] * r[of[1 + k].axis]), ...);
@@ -173,7 +173,8 @@ std::array<Scalar, terms<dim, m>> moments(const Offsets<Scalar, dim>& r, const C
 }
 
 /// The matrix of a fit of the monomials up to degree m, \f$M_{ab} = \sum_j w_j\,r_j^a\,r_j^b\f$. An entry is
-/// the moment of the product \f$r^{a+b}\f$, and many products are alike: in space 84 moments fill 210 entries.
+/// the moment of the product \f$r^{a+b}\f$, and many products are alike: in space 84 moments fill 210
+/// entries.
 template <int dim, int m, class Scalar>
 Eigen::Matrix<Scalar, terms<dim, m>, terms<dim, m>, Eigen::RowMajor> moment_matrix(
     const Offsets<Scalar, dim>& r, const Column<Scalar>& w) {

@@ -56,7 +56,7 @@ Column<Scalar> quality(const Operator<Scalar>& D, const Points& points, int deri
                            std::to_string(spacing.size()));
     Column<Scalar> R(N);
     for_each_index(N, [&](Index i) {
-        const Scalar delta = spacing[spacing.size() == 1 ? 0 : i];
+        const Scalar& delta = spacing[spacing.size() == 1 ? 0 : i];
         R[i] = Scalar(0);
         for (typename Operator<Scalar>::InnerIterator entry(D, i); entry; ++entry) {
             using std::abs;

@@ -48,9 +48,10 @@ template <class Scalar>
 std::vector<std::vector<Cell>> states(const Options& options, const Case& one,
                                       const base::Smooth<Scalar>& exact) {
     const auto [line, smoothing] = command_line::line_of<Scalar>(options, one);
-    const auto [D, D2] = command_line::formulation_named<Scalar>(one.formulation).operators(line, smoothing);
-    const particles::Column<Scalar> B = line.x().unaryExpr(exact.f), DB = particles::apply(D, B),
-                                    D2B = particles::apply(D2, B);
+    const auto operators =
+        command_line::formulation_named<Scalar>(one.formulation).operators(line, smoothing);
+    const particles::Column<Scalar> B = line.x().unaryExpr(exact.f), DB = particles::apply(operators.D, B),
+                                    D2B = particles::apply(operators.D2, B);
     std::vector<std::vector<Cell>> rows;
     for (Index i = 0; i < line.size(); ++i) {
         const Scalar x = line.x()[i], first = exact.Df(x), second = exact.D2f(x);

@@ -6,14 +6,23 @@
 
 namespace solvers {
 
-/// The factors \f$A = L\,\operatorname{diag}(p)\,L^T\f$ of a small symmetric matrix, Cholesky's without roots:
-/// p holds the pivots, and L has a diagonal of ones. Eigen's factors take twice the time of these loops on the
-/// matrix of a local fit, and far longer to compile.
+namespace detail {
+
+/// Most rows of a matrix of n rows: 20 if n is not known when compiling.
+constexpr int most_rows(int n) {
+    return n == Eigen::Dynamic ? 20 : n;
+}
+
+}  // namespace detail
+
+/// The factors \f$A = L\,\operatorname{diag}(p)\,L^T\f$ of a small symmetric matrix, Cholesky's without
+/// roots: p holds the pivots, and L has a diagonal of ones. Eigen's factors take twice the time of these
+/// loops on the matrix of a local fit, and far longer to compile.
 /// \tparam Scalar a real type
 /// \tparam n number of rows; if it is not known when compiling, at most 20
 template <class Scalar, int n = Eigen::Dynamic>
 class Cholesky {
-    static constexpr int most = n == Eigen::Dynamic ? 20 : n;
+    static constexpr int most = detail::most_rows(n);
 
   public:
     using Matrix = Eigen::Matrix<Scalar, n, n, Eigen::RowMajor, most, most>;

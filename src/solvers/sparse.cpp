@@ -136,7 +136,8 @@ class ByElements {
           elements_(elements.K),
           rows_(edge_and_neighbours(elements, 2)),
           edge_(part(A, rows_), {.refined = false}) {
-        // An equation of A is one of K but for a factor; not one at the edge whose own entry is small beside 1.
+        // An equation of A is one of K but for a factor; not one at the edge whose own entry is small beside
+        // 1.
         for (Eigen::Index row = 0; row < A.rows(); ++row) {
             const double diagonal = A.coeff(row, row);
             scale_[row] = std::abs(diagonal) > 0.1 ? elements.K.coeff(row, row) / diagonal : 0;

@@ -257,7 +257,8 @@ TEST_CASE("mesh: what is no body is refused with its place and a remedy") {
 }
 
 TEST_CASE("mesh: tetrahedra that meet in crossed diagonals are refused, with the place") {
-    // Two cubes beside each other, each of six tetrahedra around a diagonal; the second one may be a mirror image.
+    // Two cubes beside each other, each of six tetrahedra around a diagonal; the second one may be a mirror
+    // image.
     const auto two_cubes = [](bool mirrored) {
         Mesh<3> mesh{Points<3>(3, 12), {}, {}};
         for (int k = 0; k < 12; ++k) mesh.x.col(k) = Point<3>(k % 3, k / 3 % 2, k / 6);

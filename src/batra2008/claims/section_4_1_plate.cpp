@@ -177,8 +177,8 @@ double scaling_of_least_error(Norm norm) {
     return latest;
 }
 
-/// Least fall of log E from the first scaling factor to its least value, of the three methods. \param first the
-/// place of the first in the sweep
+/// Least fall of log E from the first scaling factor to its least value, of the three methods. \param first
+/// the place of the first in the sweep
 double fall_with_scaling(std::ptrdiff_t first, Norm norm) {
     double fall = HUGE_VAL;
     for (const Method method : methods) {

@@ -23,8 +23,8 @@ using example_problems::Method;
 
 // On a family of layouts: data/batra2008/layouts.csv
 
-/// Layouts with about the same number of particles: five radii, four draws of the graded one and the polar one
-/// for each.
+/// Layouts with about the same number of particles: five radii, four draws of the graded one and the polar
+/// one for each.
 struct Layouts {
     std::string graded, polar;
 };
@@ -62,12 +62,12 @@ using OnLayouts = std::function<Numbers(std::size_t convention)>;
 /// On how many layouts a statement is true: under both conventions, else under this one.
 std::size_t fitting_layouts(const report::Statement& claim, const OnLayouts& numbers,
                             std::size_t convention) {
-    const Numbers under[] = {numbers(0), numbers(1)};
+    const std::array under{numbers(0), numbers(1)};
     std::size_t both = 0, this_one = 0;
     for (std::size_t k = 0; k < under[0].size(); ++k) {
-        const bool fit[] = {report::fits(claim, {"", under[0][k]}), report::fits(claim, {"", under[1][k]})};
-        both += fit[0] && fit[1];
-        this_one += fit[convention];
+        const std::array fit{report::fits(claim, {"", under[0][k]}), report::fits(claim, {"", under[1][k]})};
+        if (fit[0] && fit[1]) ++both;
+        if (fit[convention]) ++this_one;
     }
     return both > 0 ? both : this_one;
 }
@@ -133,8 +133,8 @@ Computation gain_of_more_particles(Method method) {
     return difference_of_log_E(method, about_686, method, about_188);
 }
 
-/// Angle in degrees between the place where strong and weak2 deviate most and the axis that the print names: in
-/// u1 x2 = 0, in u2 x1 = 0. The largest of the four.
+/// Angle in degrees between the place where strong and weak2 deviate most and the axis that the print names:
+/// in u1 x2 = 0, in u2 x1 = 0. The largest of the four.
 Numbers farthest_from_axes() {
     const auto degrees = [](double across, double along) {
         return std::atan2(across, along) * 90 / std::acos(0.0);
