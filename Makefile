@@ -93,7 +93,7 @@ figures: $(data) $(figures) ## draw the figures of the papers into figures/
 check: $(bin)/check build ## run the tests
 	@$(bin)/check
 
-claims: $(ledger) $(bin)/walkthrough ## decide every claim, measure the choices, write the counts into README.md, doc/walkthrough.md and doc/reproduction.md
+claims: $(ledger) $(bin)/walkthrough ## decide every claim, measure the choices, write the counts into README.md, doc/reproduction.md and the walkthrough
 	@$(bin)/walkthrough --write
 	$(bin)/claims --count $(filter %/claims.csv,$(ledger))
 

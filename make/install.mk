@@ -17,10 +17,10 @@ define install_below
 	    sed -n 's/^#define PARTICLE_METHODS_REGISTER //p')
 	sed -i "1i #define PARTICLE_METHODS_REGISTER $$register" "$$root/include/particle-methods/base/vector_width.hpp"
 	install -d "$$root/lib/pkgconfig" "$$root/lib/cmake/particle-methods"
-	{ printf '%s\n' "prefix=$${prefix// /\\ }" "version=$(version)"; cat make/particle-methods.pc; } \
+	{ printf '%s\n' "prefix=$${prefix// /\\ }" "version=$(version)"; cat make/install/particle-methods.pc; } \
 	    > "$$root/lib/pkgconfig/particle-methods.pc"
-	cp make/particle-methods-config.cmake "$$root/lib/cmake/particle-methods"
-	{ echo "set(PACKAGE_VERSION $(version))"; cat make/particle-methods-config-version.cmake; } \
+	cp make/install/particle-methods-config.cmake "$$root/lib/cmake/particle-methods"
+	{ echo "set(PACKAGE_VERSION $(version))"; cat make/install/particle-methods-config-version.cmake; } \
 	    > "$$root/lib/cmake/particle-methods/particle-methods-config-version.cmake"
 	echo "installed below $$root; Python's module is another target: make setup install-python"
 endef

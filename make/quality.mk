@@ -9,29 +9,29 @@ $(refusals): $(bin)/refusals/%: $(BUILD)/src/programs/%.o $(BUILD)/tests/refusal
 $(refusals): LDFLAGS := -Wl,--wrap=main
 
 verify: $(tables) $(figures) $(bin)/compare_tables $(bin)/walkthrough ## compare data with the committed, check that figures are whole and generated parts of pages are up to date
-	@bash tests/verify $(BUILD) $(tables) $(figures)
+	@bash tests/scripts/verify $(BUILD) $(tables) $(figures)
 
 check-interrupts: build ## interrupt programs, data and figures in a copy of the tree: no unfinished file may look finished
-	@bash tests/interrupts $(BUILD)
+	@bash tests/scripts/interrupts $(BUILD)
 
 check-environments: build ## try a decimal comma, missing packages, a path with blanks, a full disk, a read-only tree
-	@bash tests/environments $(BUILD)
+	@bash tests/scripts/environments $(BUILD)
 
 valgrind: build ## run each program once under valgrind
-	@bash tests/valgrind $(BUILD)
+	@bash tests/scripts/valgrind $(BUILD)
 
 compilers: ## compute all data with other compilers and flags, and compare them with the committed
-	@bash tests/compilers
+	@bash tests/scripts/compilers
 
 fresh: ## try the README's two commands on an empty Debian 12, in a folder that debootstrap makes (as root)
-	@bash tests/fresh
+	@bash tests/scripts/fresh
 
 # clang-tidy reads the source files of src/, but those for the browser, with all the headers that they include; cppcheck reads the tests, too.
 all_headers := $(shell find src tests -name '*.hpp' -not -path 'tests/benchmarks/*' | LC_ALL=C sort)
 all_sources := $(filter-out src/web/%,$(filter src/%,$(sources)))
 linted := $(all_headers:%=$(BUILD)/lint/%.alone) $(all_sources:%=$(BUILD)/lint/%.tidy)
 lint: $(linted) ## compile every header alone, then clang-tidy and cppcheck
-	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/cppcheck.txt \
+	@cppcheck --std=c++20 --enable=warning,performance,portability --inline-suppr --suppressions-list=tests/scripts/cppcheck.txt \
 	    --error-exitcode=1 --quiet -j $(shell nproc) -Isrc -I. src tests
 	echo "$(words $(all_headers)) headers compile alone; clang-tidy and cppcheck are content with $(words $(all_sources)) files"
 $(BUILD)/lint/%.alone: % $(BUILD)/flags
@@ -46,14 +46,14 @@ $(BUILD)/lint/%.tidy: % .clang-tidy $(all_headers) $(BUILD)/flags
 	touch $@
 
 # The tests of the sections are compiled again for each mutant, by clang++ in half of g++'s time.
-mutated := $(shell sed -nE 's|^([a-z0-9_/]+)\.[ch]pp$$|\1|p' tests/mutants.txt)
+mutated := $(shell sed -nE 's|^([a-z0-9_/]+)\.[ch]pp$$|\1|p' tests/scripts/mutants.txt)
 mutable := $(filter-out %_test.o,$(tests)) $(call objects_in,$(wildcard $(mutated:%=tests/%*_test.cpp))) \
            $(library_objects) $(filter %/measures.o,$(claim_objects)) $(call objects_in,src/report/%)
 mutants-build:
 	@$(MAKE) --no-print-directory CXX=clang++ BUILD=$(BUILD)/mutants OPTIMISE="-O0 -ffp-contract=off" \
 	    $(mutable:$(BUILD)/%=$(BUILD)/mutants/%)
 mutants: mutants-build ## break the formulas of the sections on purpose, one at a time: their tests must fail
-	@bash tests/mutants $(BUILD)/mutants
+	@bash tests/scripts/mutants $(BUILD)/mutants
 
 coverage-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/coverage $(BUILD)/coverage/bin/check build \
@@ -76,7 +76,7 @@ fuzz-build:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzzing CXX=clang++ $(readers:%=$(BUILD)/fuzzing/bin/fuzz_%) \
 	    CXXFLAGS="-std=c++20 -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all"
 fuzz: fuzz-build ## feed random input to what reads expressions, positions and tables, SECONDS=60 each
-	@bash tests/fuzz $(BUILD)/fuzzing $(SECONDS) $(readers)
+	@bash tests/scripts/fuzz $(BUILD)/fuzzing $(SECONDS) $(readers)
 read := $(BUILD)/libreaders.a
 $(read): $(call objects_in,src/base/% src/expressions/% src/report/% src/command_line/columns.cpp src/command_line/positions.cpp)
 $(readers:%=$(bin)/fuzz_%): $(bin)/fuzz_%: $(BUILD)/tests/fuzzing/%.o $(read)

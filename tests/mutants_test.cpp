@@ -6,7 +6,7 @@
 #include "report/file.hpp"
 
 TEST_CASE("mutants: each has its place in today's source, so that make mutants breaks what it names") {
-    std::istringstream lines(report::read_whole("tests/mutants.txt"));
+    std::istringstream lines(report::read_whole("tests/scripts/mutants.txt"));
     std::string file, source, anchor;
     int mutants = 0;
     for (std::string line; std::getline(lines, line);) {

@@ -15,7 +15,8 @@ namespace expressions {
 
 /// One step of an evaluation: a number, a variable, or an operation on results of earlier steps.
 struct Step {
-    enum class Kind { number, variable, operation } kind{};
+    enum class Kind { number, variable, operation };
+    Kind kind{};
     std::size_t which = 0;     ///< number, variable or operation, by its place in its list
     std::size_t a = 0, b = 0;  ///< the steps that an operation takes
 };

@@ -172,13 +172,15 @@ std::vector<std::vector<AtParticle>> errors(const Formulation<double, dim>& form
                                             const std::vector<Range>& places) {
     const Column<double> values = values_of<dim>(B, cloud);
     std::vector<std::vector<AtParticle>> all;
+    all.reserve(places.size());
     for (const Range& place : places) {
-        std::vector<AtParticle>& there = all.emplace_back();
+        std::vector<AtParticle> there;
         for (Index first = place.first; first < place.last; first += block) {
             const Range some{first, std::min(first + block, place.last)};
             const auto found = errors_of_block<dim>(formulation, cloud, smoothing, spacing, B, values, some);
             there.insert(there.end(), found.begin(), found.end());
         }
+        all.push_back(std::move(there));
     }
     return all;
 }

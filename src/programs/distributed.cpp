@@ -50,6 +50,13 @@ Grid<dim> grid(const Options& options, const std::vector<std::string>& counts) {
     return found;
 }
 
+/// A body that the first process has read.
+template <int dim>
+distributed::Whole<dim> whole(const Processes& processes, meshes::Model& model) {
+    auto* body = processes.is_first() ? &std::get<Body<dim>>(model.body) : nullptr;
+    return {processes, body != nullptr ? std::make_unique<Body<dim>>(std::move(*body)) : nullptr};
+}
+
 report::Table table_of(const distributed::Petsc& petsc, const Processes& processes, Options& options) {
     if (!options.grid.empty()) {
         const auto counts = sizes("--grid", options.grid, "101x51");
@@ -63,13 +70,9 @@ report::Table table_of(const distributed::Petsc& petsc, const Processes& process
         if (processes.is_first()) model = meshes::read(options.mesh, options.size);
     });
     const bool in_plane = processes.from(0, static_cast<double>(model.body.index())) == 0;
-    const auto read = [&]<int dim>() {
-        auto* body = processes.is_first() ? &std::get<Body<dim>>(model.body) : nullptr;
-        return distributed::Whole<dim>(processes,
-                                       body ? std::make_unique<Body<dim>>(std::move(*body)) : nullptr);
-    };
-    if (in_plane) return distributed::table<2>(petsc, processes, options, read.operator()<2>(), model.notes);
-    return distributed::table<3>(petsc, processes, options, read.operator()<3>(), model.notes);
+    if (in_plane)
+        return distributed::table<2>(petsc, processes, options, whole<2>(processes, model), model.notes);
+    return distributed::table<3>(petsc, processes, options, whole<3>(processes, model), model.notes);
 }
 
 /// Refuses options that need, exclude or overwrite one another; names the methods.

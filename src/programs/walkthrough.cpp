@@ -14,14 +14,20 @@ namespace {
 
 using report::Reproduction;
 
-/// A file with a generated part, as it is and as it must be.
+/// A file with generated parts, as it is and as it must be.
 struct Page {
     std::string path, text, fresh;
 };
 
-Page page(const std::string& path, const std::string& key, const std::string& part) {
-    const std::string text = report::read_whole(path);
-    return {path, text, report::with_part(text, key, part, path)};
+struct Part {
+    std::string key, text;
+};
+
+Page page(const std::string& path, const std::vector<Part>& parts) {
+    Page page{path, report::read_whole(path), {}};
+    page.fresh = page.text;
+    for (const auto& [key, text] : parts) page.fresh = report::with_part(page.fresh, key, text, path);
+    return page;
 }
 
 void write_pages(const std::string& folder, const std::vector<Reproduction>& all) {
@@ -37,16 +43,19 @@ void write_pages(const std::string& folder, const std::vector<Reproduction>& all
 
 int main(int argc, char** argv) {
     command_line::CommandLine app(
-        "Writes the generated pages of the walkthrough, what was found into README.md and the walkthrough's first page, and the table of doc/reproduction.md. It runs in the top folder.",
+        "Writes the generated pages of the walkthrough, the count of verdicts into README.md, and what was found into the walkthrough's first page and doc/reproduction.md. It runs in the top folder.",
         "walkthrough", "Example: walkthrough --pages build/doc/pages");
-    std::string pages, readme = "README.md", first_page = "doc/walkthrough.md",
+    std::string pages, readme = "README.md", first_page = "doc/site/walkthrough.md",
                        reproduction = "doc/reproduction.md";
     bool write = false, check = false;
     app.add_option("--pages", pages, "folder to write the pages into").type_name("FOLDER");
-    app.add_option("--readme", readme, "a file with what was found (default README.md)").type_name("FILE");
-    app.add_option("--first-page", first_page, "another one (default doc/walkthrough.md)").type_name("FILE");
-    app.add_option("--reproduction", reproduction,
-                   "the file with the table of the papers' items (default doc/reproduction.md)")
+    app.add_option("--readme", readme, "a file with the count of verdicts (default README.md)")
+        .type_name("FILE");
+    app.add_option("--first-page", first_page, "a file with what was found (default doc/site/walkthrough.md)")
+        .type_name("FILE");
+    app.add_option(
+           "--reproduction", reproduction,
+           "a file with what was found and the table of the papers' items (default doc/reproduction.md)")
         .type_name("FILE");
     app.add_flag("--write", write, "write the generated parts of these files anew");
     app.add_flag("--check", check, "fail where a generated part is stale");
@@ -54,9 +63,11 @@ int main(int argc, char** argv) {
         const std::vector<Reproduction> all = report::reproductions();
         if (!pages.empty()) write_pages(pages, all);
         if (!write && !check) return 0;
-        const std::string found = report::with_numbers(report::read_whole("paper/findings.txt"), all);
-        for (const Page& each : {page(readme, "summary", found), page(first_page, "summary", found),
-                                 page(reproduction, "table", report::items(all))}) {
+        const Part count{"count", report::with_numbers("{verdicts}\n", all)},
+            summary{"summary", report::with_numbers(report::read_whole("paper/findings.txt"), all)},
+            table{"table", report::items(all)};
+        for (const Page& each :
+             {page(readme, {count}), page(first_page, {summary}), page(reproduction, {summary, table})}) {
             if (each.fresh == each.text) continue;
             if (!write) throw base::FailedComputation(each.path + " is stale; run make claims");
             report::write_whole(each.path, each.fresh);

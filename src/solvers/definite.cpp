@@ -104,16 +104,17 @@ Eigen::VectorXd DefiniteFactors::solve(const Eigen::VectorXd& b) const {
         }
         for (int i = 0; i < rest; ++i) x[row[i]] -= below[static_cast<std::size_t>(i)];
     }
-    for (auto of = columns_.rbegin(); of != columns_.rend(); ++of) {
-        double* const own = x.data() + of->first;
-        const int rest = of->rows - of->count;
-        const int* const row = row_.data() + of->row + of->count;
+    for (std::size_t k = columns_.size(); k-- > 0;) {
+        const Columns& of = columns_[k];
+        double* const own = x.data() + of.first;
+        const int rest = of.rows - of.count;
+        const int* const row = row_.data() + of.row + of.count;
         for (int i = 0; i < rest; ++i) below[static_cast<std::size_t>(i)] = x[row[i]];
-        for (int j = of->count - 1; j >= 0; --j) {
-            const float* const L = column(*of, j);
+        for (int j = of.count - 1; j >= 0; --j) {
+            const float* const L = column(of, j);
             double sum = own[j];
-            for (int i = j + 1; i < of->count; ++i) sum -= L[i] * own[i];
-            const float* const L_below = L + of->count;
+            for (int i = j + 1; i < of.count; ++i) sum -= L[i] * own[i];
+            const float* const L_below = L + of.count;
 #pragma omp simd reduction(- : sum)
             for (int i = 0; i < rest; ++i) sum -= L_below[i] * below[static_cast<std::size_t>(i)];
             own[j] = sum / L[j];

@@ -46,7 +46,7 @@ std::optional<Eigen::VectorXd> gmres(const Apply& apply, const Eigen::VectorXd& 
         if (!(std::abs(R(k, k)) > 1e-14 * size)) return {};  // singular, or not finite
         ++k;
         if (!(length > 0)) break;  // the space holds the solution
-        Q.push_back(w / length);
+        Q.emplace_back(w / length);
     }
     if (!(std::abs(g[k]) <= enough)) return {};
     const Eigen::VectorXd y = R.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 

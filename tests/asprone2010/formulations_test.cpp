@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 using support::particles_of;

@@ -1,7 +1,7 @@
 #include "asprone2010/local_conditions.hpp"
 
 #include "asprone2010/formulations.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 using support::relative;

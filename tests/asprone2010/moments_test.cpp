@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "asprone2010/formulations.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 

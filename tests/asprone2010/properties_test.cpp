@@ -1,4 +1,4 @@
-#include "tests/properties.hpp"
+#include "tests/support/properties.hpp"
 
 #include <Eigen/LU>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 using numerical_tests::Particles;

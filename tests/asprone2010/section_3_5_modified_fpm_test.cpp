@@ -1,6 +1,6 @@
 #include "asprone2010/section_3_5_modified_fpm.hpp"
 
-#include "tests/integral_forms.hpp"
+#include "tests/support/integral_forms.hpp"
 
 using namespace asprone2010;
 using namespace asprone2010::modified_fpm;

@@ -2,7 +2,7 @@
 
 #include <Eigen/SVD>
 
-#include "tests/integral_forms.hpp"
+#include "tests/support/integral_forms.hpp"
 
 using namespace asprone2010;
 using namespace asprone2010::second_order_fpm;

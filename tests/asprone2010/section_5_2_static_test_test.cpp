@@ -1,7 +1,7 @@
 #include "asprone2010/section_5_2_static_test.hpp"
 
-#include "tests/claims.hpp"
-#include "tests/support.hpp"
+#include "tests/support/claims.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 using particles::Gaussian;

@@ -1,6 +1,6 @@
 #include "asprone2010/section_5_3_vibration_test.hpp"
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 using namespace asprone2010::vibration_test;

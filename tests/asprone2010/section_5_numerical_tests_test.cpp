@@ -1,6 +1,6 @@
 #include "asprone2010/section_5_numerical_tests.hpp"
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010::numerical_tests;
 using particles::Volumes;

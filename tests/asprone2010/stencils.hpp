@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "asprone2010/limit_stencils.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 namespace support {
 

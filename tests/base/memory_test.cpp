@@ -4,7 +4,7 @@
 
 #include "base/errors.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/sanitizers.hpp"
+#include "tests/support/sanitizers.hpp"
 
 using namespace base;
 using programs::run;

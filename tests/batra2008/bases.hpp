@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/polynomial.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/polynomial.hpp"
+#include "tests/support/relative.hpp"
 
 namespace support {
 

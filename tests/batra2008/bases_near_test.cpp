@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "tests/clouds.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace batra2008;
 using particles::Cloud;

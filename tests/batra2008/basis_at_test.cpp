@@ -7,7 +7,7 @@
 #include "particles/layouts.hpp"
 #include "particles/spacing.hpp"
 #include "tests/batra2008/bases.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace batra2008;
 using particles::Cloud;

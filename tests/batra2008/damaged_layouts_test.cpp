@@ -9,7 +9,7 @@
 #include "base/random.hpp"
 #include "batra2008/section_3_1_collocation.hpp"
 #include "batra2008/section_4_2_hole.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace batra2008;
 

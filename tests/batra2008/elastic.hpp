@@ -2,7 +2,7 @@
 
 #include "base/random.hpp"
 #include "batra2008/section_4_1_plate.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 /// Common to the tests of the plane problems.
 namespace support {

@@ -4,7 +4,7 @@
 
 #include "report/statistics.hpp"
 #include "tests/batra2008/bases.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace batra2008;
 using namespace batra2008::ssph_basis;

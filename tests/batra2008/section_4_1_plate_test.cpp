@@ -1,7 +1,7 @@
 #include "batra2008/section_4_1_plate.hpp"
 
 #include "tests/batra2008/elastic.hpp"
-#include "tests/claims.hpp"
+#include "tests/support/claims.hpp"
 
 using namespace batra2008;
 using example_problems::Method;

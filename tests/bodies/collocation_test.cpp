@@ -4,8 +4,8 @@
 
 #include "batra2008/section_4_1_plate.hpp"
 #include "batra2008/section_4_2_hole.hpp"
-#include "tests/bodies.hpp"
-#include "tests/bodies_of_batra2008.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/bodies_of_batra2008.hpp"
 
 using namespace bodies;
 using support::Block;

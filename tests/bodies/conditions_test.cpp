@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/errors.hpp"
-#include "tests/bodies.hpp"
+#include "tests/support/bodies.hpp"
 
 using namespace bodies;
 using support::block;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "base/errors.hpp"
-#include "tests/bodies_of_batra2008.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/bodies_of_batra2008.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace bodies;
 

@@ -4,7 +4,7 @@
 
 #include "base/errors.hpp"
 #include "bodies/integrals.hpp"
-#include "tests/bodies.hpp"
+#include "tests/support/bodies.hpp"
 
 using namespace bodies;
 using support::block;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "base/errors.hpp"
-#include "tests/bodies.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace bodies;
 using support::block;

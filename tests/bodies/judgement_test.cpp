@@ -3,9 +3,9 @@
 #include <doctest/doctest.h>
 
 #include "bodies/mesh.hpp"
-#include "tests/bodies.hpp"
-#include "tests/relative.hpp"
-#include "tests/ring.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/ring.hpp"
 
 using namespace bodies;
 using batra2008::elastostatics::Plane;

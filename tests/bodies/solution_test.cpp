@@ -4,10 +4,10 @@
 
 #include "base/errors.hpp"
 #include "particles/quality.hpp"
-#include "tests/bodies.hpp"
-#include "tests/relative.hpp"
-#include "tests/remedies.hpp"
-#include "tests/ring.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/remedies.hpp"
+#include "tests/support/ring.hpp"
 
 using namespace bodies;
 using batra2008::elastostatics::Material;

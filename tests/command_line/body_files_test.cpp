@@ -10,7 +10,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "report/file.hpp"
-#include "tests/folder.hpp"
+#include "tests/support/folder.hpp"
 
 using command_line::read_body;
 using particles::Point;

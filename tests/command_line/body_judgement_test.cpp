@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "tests/bodies.hpp"
-#include "tests/remedies.hpp"
-#include "tests/ring.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/remedies.hpp"
+#include "tests/support/ring.hpp"
 
 using namespace bodies;
 using batra2008::elastostatics::Plane;

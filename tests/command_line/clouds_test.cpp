@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace command_line;
 using base::InvalidInput;

@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 #include "report/file.hpp"
-#include "tests/folder.hpp"
+#include "tests/support/folder.hpp"
 
 using command_line::Columns;
 

@@ -1,7 +1,7 @@
 #include "command_line/example_problems.hpp"
 
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace programs;
 

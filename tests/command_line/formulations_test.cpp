@@ -9,9 +9,9 @@
 #include "batra2008/basis_at.hpp"
 #include "report/file.hpp"
 #include "report/table.hpp"
-#include "tests/folder.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/support.hpp"
+#include "tests/support/folder.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace asprone2010;
 using particles::Gaussian;

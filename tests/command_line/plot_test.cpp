@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/sanitizers.hpp"
+#include "tests/support/sanitizers.hpp"
 
 using programs::check_refused;
 using programs::Folder;

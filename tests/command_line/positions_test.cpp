@@ -6,7 +6,7 @@
 #include "base/text.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace command_line;
 using namespace programs;

@@ -1,6 +1,6 @@
 #include "command_line/states.hpp"
 
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace command_line;
 

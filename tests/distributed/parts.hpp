@@ -8,7 +8,7 @@
 
 #include "bodies/collocation.hpp"
 #include "distributed/part.hpp"
-#include "tests/bodies.hpp"
+#include "tests/support/bodies.hpp"
 
 namespace support {
 

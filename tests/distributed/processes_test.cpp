@@ -5,7 +5,7 @@
 #include <new>
 
 #include "tests/distributed/world.hpp"
-#include "tests/remedies.hpp"
+#include "tests/support/remedies.hpp"
 
 using distributed::Processes;
 

@@ -8,8 +8,8 @@
 #include "distributed/grid.hpp"
 #include "tests/distributed/parts.hpp"
 #include "tests/distributed/world.hpp"
-#include "tests/relative.hpp"
-#include "tests/remedies.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/remedies.hpp"
 
 using namespace bodies;
 using distributed::Grid;
@@ -34,7 +34,8 @@ Part<dim> part_of(const Body<dim>& body, Discretisation how, const std::vector<i
                                 support::world().rank());
 }
 
-/// The largest difference from the solution of one machine, relative to the largest unknown, on all processes.
+/// The largest difference from the solution of one machine, relative to the largest unknown, on all
+/// processes.
 template <int dim, int n>
 double difference(const Problem<dim, n>& problem, const Body<dim>& body, const Part<dim>& part) {
     const Processes all = support::world();

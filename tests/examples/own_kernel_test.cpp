@@ -11,7 +11,7 @@
 #include "particles/quadrature.hpp"
 #include "report/file.hpp"
 #include "report/statistics.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 // The kernel and the formulation of doc/extend.md, as they stand there.
 namespace particles {

@@ -14,7 +14,7 @@
 #include "base/quad.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace expressions;
 using base::Quad;

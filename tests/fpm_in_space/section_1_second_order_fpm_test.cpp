@@ -9,9 +9,9 @@
 
 #include "base/quad.hpp"
 #include "fpm_in_space/claims/measures.hpp"
-#include "tests/clouds.hpp"
-#include "tests/polynomial.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/polynomial.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::second_order_fpm;

@@ -11,8 +11,8 @@
 #include "asprone2010/local_conditions.hpp"
 #include "asprone2010/section_4_second_order_fpm.hpp"
 #include "fpm_in_space/claims/measures.hpp"
-#include "tests/clouds.hpp"
-#include "tests/polynomial.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/polynomial.hpp"
 
 using namespace fpm_in_space;
 using particles::Cloud;
@@ -42,8 +42,8 @@ Operators<double, dim> operators(std::string_view name, const Cloud<dim>& cloud,
                                formulation.weights);
 }
 
-/// Largest error of the second derivatives of (F14) on the square: among all particles, and among those in the
-/// middle half, far from the edges.
+/// Largest error of the second derivatives of (F14) on the square: among all particles, and among those in
+/// the middle half, far from the edges.
 struct Errors {
     double all = 0, inside = 0;
 };

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
-#include "tests/clouds.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::error_constants;

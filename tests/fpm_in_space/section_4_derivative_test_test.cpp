@@ -11,7 +11,7 @@
 
 #include "base/errors.hpp"
 #include "fpm_in_space/claims/measures.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::derivative_test;

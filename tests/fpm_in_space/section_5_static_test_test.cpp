@@ -8,10 +8,10 @@
 #include <type_traits>
 
 #include "base/errors.hpp"
-#include "tests/bodies.hpp"
-#include "tests/polynomial.hpp"
-#include "tests/relative.hpp"
-#include "tests/remedies.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/polynomial.hpp"
+#include "tests/support/relative.hpp"
+#include "tests/support/remedies.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::static_test;

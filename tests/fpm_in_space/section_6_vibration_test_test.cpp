@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/relative.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::vibration_test;
@@ -177,7 +177,8 @@ TEST_CASE("(F23): masses and stiffnesses are those of the triangles, on perturbe
     CHECK(asymmetry(K) < 1e-14);
     CHECK(asymmetry(consistent) == 0);
     CHECK(Eigen::MatrixXd(lumped).isDiagonal(0));
-    // Far from the sides a hat's lumped mass is the sum of its consistent ones, and K leaves linear functions.
+    // Far from the sides a hat's lumped mass is the sum of its consistent ones, and K leaves linear
+    // functions.
     Index far = 0;
     for (Index i = 0; i < K.rows(); ++i) {
         const auto x = square.cloud.x().col(i);

@@ -10,8 +10,8 @@
 #include "bodies/solution.hpp"
 #include "fpm_in_space/section_1_second_order_fpm.hpp"
 #include "tests/batra2008/elastic.hpp"
-#include "tests/bodies_of_batra2008.hpp"
-#include "tests/remedies.hpp"
+#include "tests/support/bodies_of_batra2008.hpp"
+#include "tests/support/remedies.hpp"
 
 using namespace fpm_in_space;
 using namespace fpm_in_space::plate_and_hole;

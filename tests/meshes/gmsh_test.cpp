@@ -13,7 +13,7 @@
 
 #include "base/errors.hpp"
 #include "report/file.hpp"
-#include "tests/folder.hpp"
+#include "tests/support/folder.hpp"
 
 using bodies::Body;
 using bodies::Side;

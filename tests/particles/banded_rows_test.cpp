@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace particles;
 using asprone2010::formulations;

@@ -10,7 +10,7 @@
 #include "base/errors.hpp"
 #include "particles/layouts.hpp"
 #include "particles/region_check.hpp"
-#include "tests/regions.hpp"
+#include "tests/support/regions.hpp"
 
 using namespace particles;
 

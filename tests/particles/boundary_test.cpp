@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/regions.hpp"
+#include "tests/support/regions.hpp"
 
 using namespace particles;
 using support::pi, support::quarter;

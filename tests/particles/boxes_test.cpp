@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 using namespace particles;
 

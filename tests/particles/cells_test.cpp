@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 using namespace particles;
 

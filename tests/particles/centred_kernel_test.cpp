@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 #include <algorithm>
 
-#include "tests/clouds.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

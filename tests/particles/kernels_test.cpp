@@ -14,7 +14,7 @@
 #include "base/quad.hpp"
 #include "particles/centred_kernel.hpp"
 #include "particles/quadrature.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 using std::numbers::pi;

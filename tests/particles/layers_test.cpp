@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "fpm_in_space/formulations.hpp"
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 using namespace particles;
 

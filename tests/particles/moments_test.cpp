@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/quad.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "particles/spacing.hpp"
-#include "tests/clouds.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

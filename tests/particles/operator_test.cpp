@@ -1,7 +1,7 @@
 #include "particles/operator.hpp"
 
-#include "tests/same_bytes.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
+#include "tests/support/same_bytes.hpp"
 
 using namespace particles;
 using asprone2010::formulations;

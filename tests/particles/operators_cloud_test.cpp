@@ -1,10 +1,10 @@
 #include <doctest/doctest.h>
 #include <omp.h>
 
-#include "tests/clouds.hpp"
-#include "tests/least_squares.hpp"
-#include "tests/polynomial.hpp"
-#include "tests/same_bytes.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/least_squares.hpp"
+#include "tests/support/polynomial.hpp"
+#include "tests/support/same_bytes.hpp"
 
 using namespace particles;
 using support::LeastSquares;

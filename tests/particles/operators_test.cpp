@@ -7,8 +7,8 @@
 
 #include "asprone2010/section_3_2_chen_beraun.hpp"
 #include "asprone2010/section_4_second_order_fpm.hpp"
-#include "tests/same_bytes.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
+#include "tests/support/same_bytes.hpp"
 
 using namespace particles;
 using asprone2010::formulations;

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/clouds.hpp"
-#include "tests/least_squares.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/least_squares.hpp"
 
 using namespace particles;
 

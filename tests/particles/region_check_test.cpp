@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 #include "particles/region_rules.hpp"
-#include "tests/regions.hpp"
+#include "tests/support/regions.hpp"
 
 using namespace particles;
 using support::circle, support::pi, support::polygon, support::star, support::together;

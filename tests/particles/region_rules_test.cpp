@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/clouds.hpp"
-#include "tests/regions.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/regions.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 using support::area, support::Function, support::integral, support::pi, support::quarter, support::rectangle;

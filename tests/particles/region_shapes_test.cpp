@@ -5,8 +5,8 @@
 
 #include "particles/region_check.hpp"
 #include "particles/region_rules.hpp"
-#include "tests/regions.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/regions.hpp"
+#include "tests/support/relative.hpp"
 
 // The quadrature rules on bodies that are not convex, bulge, or have many sides.
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/regions.hpp"
+#include "tests/support/regions.hpp"
 
 using namespace particles;
 using support::pi;

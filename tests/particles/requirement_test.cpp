@@ -2,7 +2,7 @@
 
 #include <omp.h>
 
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 using namespace particles;
 using support::particles_of;

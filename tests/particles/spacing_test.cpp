@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "base/quad.hpp"
-#include "tests/clouds.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 using namespace particles;
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "base/quad.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using namespace particles;
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/programs/run.hpp"
-#include "tests/sanitizers.hpp"
+#include "tests/support/sanitizers.hpp"
 
 using programs::check_refused;
 using programs::Folder;

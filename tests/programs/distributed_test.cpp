@@ -5,7 +5,7 @@
 
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using programs::check_refused;
 using programs::run;

@@ -5,7 +5,7 @@
 
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 /// What tests of programs in space ask of a table that a program wrote.
 namespace programs {

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "report/table.hpp"
-#include "tests/claims.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/claims.hpp"
+#include "tests/support/relative.hpp"
 
 using programs::run;
 using support::expected;

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "report/file.hpp"
-#include "tests/folder.hpp"
 #include "tests/programs/outcome.hpp"
+#include "tests/support/folder.hpp"
 
 /// Runs the programs beside the test runner, as a user's shell does.
 namespace programs {

@@ -1,6 +1,6 @@
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using programs::check_refused;
 using programs::run;

@@ -4,7 +4,7 @@
 #include "command_line/formulations.hpp"
 #include "report/table.hpp"
 #include "tests/programs/run.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using programs::run;
 

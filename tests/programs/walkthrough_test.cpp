@@ -48,12 +48,15 @@ struct TwoPapers : programs::Folder {
               "choice,one,other,quantity,formulation,with_one,with_other\nerror,dn,nd,E,basis,1,2\n");
         write("tests/first/sums_test.cpp", "TEST_CASE(\"sums: (2)\") {}\n");
         write("tests/second/basis_test.cpp", "TEST_CASE(\"basis: (2.1), (2.10) and (2)\") {}\n");
-        for (const char* file : {"README.md", "doc/walkthrough.md"})
-            write(file,
-                  "<!-- the summary below is written by make claims -->\n<!-- end of the summary -->\n");
+        write("README.md", generated("count"));
+        write("doc/site/walkthrough.md", generated("summary"));
         write("paper/findings.txt", "- {verdicts} The error is {B-2-basis}, {count A-2} sums.\n");
-        write("doc/reproduction.md",
-              "<!-- the table below is written by make claims -->\n<!-- end of the table -->\n");
+        write("doc/reproduction.md", generated("summary") + generated("table"));
+    }
+
+    static std::string generated(const std::string& part) {
+        return "<!-- the " + part + " below is written by make claims -->\n<!-- end of the " + part +
+               " -->\n";
     }
 
     void write(const std::string& file, const std::string& text) const {
@@ -98,9 +101,9 @@ TEST_CASE("walkthrough: a claim without a verdict is red") {
     CHECK(errors.find("has no verdict yet; run make claims") != std::string::npos);
 }
 
-TEST_CASE("walkthrough: a stale summary or table is found, and written anew") {
+TEST_CASE("walkthrough: a stale count, summary or table is found, and written anew") {
     CHECK(in_changed_copy("true", "--check").code == 0);
-    for (const std::string file : {"README.md", "doc/walkthrough.md", "doc/reproduction.md"}) {
+    for (const std::string file : {"README.md", "doc/site/walkthrough.md", "doc/reproduction.md"}) {
         const std::string stale = "sed -i 's/ reproduced/ refuted/' " + file;
         const auto found = in_changed_copy(stale, "--check");
         CHECK(found.code == 1);
@@ -125,12 +128,13 @@ TEST_CASE("walkthrough: pages are divided by paper, though sections have equal n
                     "\\anchor claim_A-2-sum ", "| 0.5 | 0.25 | A01 |", "## Second (1902)",
                     "### Section 2: 0 of 1 reproduced, 1 differs", "| dn | nd |", "| 1.5 | 1.25 |"}));
     CHECK(in_order(project.read("pages/choices.md"), {"## Second (1902)", "companion_second", "### error"}));
-    for (const char* file : {"README.md", "doc/walkthrough.md"})
-        CHECK(in_order(
-            project.read(file),
-            {"Of the papers' 2 testable statements, 1 is reproduced, 0 hold under a condition, and 1 differs. The error is 1.5, all 1 sums."}));
-    CHECK(in_order(project.read("doc/reproduction.md"),
-                   {"| Sums |", "[a.csv](../a.csv)", "1 of 1 reproduced", "| Basis |", "1 differs"}));
+    const std::string count =
+        "Of the papers' 2 testable statements, 1 is reproduced, 0 hold under a condition, and 1 differs.";
+    CHECK(in_order(project.read("README.md"), {"-->\n" + count + "\n<!--"}));
+    const std::string summary = "- " + count + " The error is 1.5, all 1 sums.\n";
+    CHECK(in_order(project.read("doc/site/walkthrough.md"), {summary}));
+    CHECK(in_order(project.read("doc/reproduction.md"), {summary, "| Sums |", "[a.csv](../a.csv)",
+                                                         "1 of 1 reproduced", "| Basis |", "1 differs"}));
     for (const char* page : {"equations", "claims", "choices"})
         CHECK(project.read(std::string("pages/") + page + ".md").find("Third") == std::string::npos);
 }

@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "report/file.hpp"
-#include "tests/folder.hpp"
 #include "tests/programs/outcome.hpp"
+#include "tests/support/folder.hpp"
 
 /// The program's own main.
 extern "C" int __real_main(int argc, char** argv);

@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "base/errors.hpp"
-#include "tests/folder.hpp"
+#include "tests/support/folder.hpp"
 
 using support::Folder;
 

@@ -1,7 +1,7 @@
 #include "report/statistics.hpp"
 
 #include <doctest/doctest.h>
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 TEST_CASE("statistics: quartiles of a sample in any order") {
     const auto [lower, median, upper] = report::quartiles({5, 1, 4, 2, 3});

@@ -8,7 +8,7 @@
 
 #include "asprone2010/section_5_2_static_test.hpp"
 #include "base/quad.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 namespace {
 

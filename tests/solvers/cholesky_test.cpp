@@ -1,7 +1,7 @@
 #include "solvers/cholesky.hpp"
 
 #include "base/quad.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 using solvers::reciprocal_condition;
 

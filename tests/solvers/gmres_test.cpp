@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 using solvers::gmres;
 

@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include "base/errors.hpp"
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 using namespace solvers;
 using particles::Index;

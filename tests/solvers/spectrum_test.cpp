@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "asprone2010/claims/ledger.hpp"
 
-#include "tests/claims.hpp"
-#include "tests/support.hpp"
+#include "tests/support/claims.hpp"
+#include "tests/support/lines.hpp"
 
 using support::expected;
 

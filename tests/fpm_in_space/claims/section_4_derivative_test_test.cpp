@@ -8,7 +8,7 @@
 
 #include "fpm_in_space/claims/ledger.hpp"
 #include "report/read_table.hpp"
-#include "tests/claims.hpp"
+#include "tests/support/claims.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "fpm_in_space/claims/ledger.hpp"
 #include "fpm_in_space/claims/measures.hpp"
 #include "fpm_in_space/section_6_vibration_test.hpp"
-#include "tests/claims.hpp"
+#include "tests/support/claims.hpp"
 
 using namespace fpm_in_space;
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fpm_in_space/claims/ledger.hpp"
-#include "tests/claims.hpp"
+#include "tests/support/claims.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/bodies.hpp"
+#include "tests/support/bodies.hpp"
 
 /// A thick ring under pressure, whose stresses are those of Lamé.
 namespace support {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 namespace support {
 

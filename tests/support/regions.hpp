@@ -8,7 +8,7 @@
 
 #include "particles/region.hpp"
 #include "particles/region_rules.hpp"
-#include "tests/clouds.hpp"
+#include "tests/support/clouds.hpp"
 
 /// Regions of many shapes, and areas that are known exactly.
 namespace support {

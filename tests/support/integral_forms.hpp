@@ -1,7 +1,7 @@
 #pragma once
 
 #include "particles/centred_kernel.hpp"
-#include "tests/support.hpp"
+#include "tests/support/lines.hpp"
 
 /// What the tests of integral forms share.
 namespace support {

@@ -1,4 +1,4 @@
-// What doc/check looks at in each page: formulas, messages, scripts, images, widths, links, contents and search.
+// What check looks at in each page: formulas, messages, scripts, images, widths, links, contents and search.
 const widths = [960, 1400].map((screen) => screen - 15);  // less a scroll bar
 const inCode = {  // names that are links
     "asprone2010::chen_beraun": ["nonzero_sum"], "asprone2010::second_order_fpm": ["moments", "matrix"],

@@ -1,6 +1,6 @@
 # The places in the pages of the walkthrough, for its search and its links, as lines of JavaScript: page, anchor, text.
 # A place is a page, a heading, a function or type, an equation or a figure.
-# Use: awk -f doc/places.awk *.html
+# Use: awk -f doc/site/places.awk *.html
 function text_of(html) {
     gsub(/<[^>]*>|&#9670;&nbsp;|\[[0-9]+\/[0-9]+\]/, "", html)
     gsub(/&lt;/, "<", html); gsub(/&gt;/, ">", html); gsub(/&amp;/, "\\&", html); gsub(/&#39;/, "'", html); gsub(/&quot;/, "\"", html)

@@ -14,8 +14,8 @@
 
 #include "bodies/problem.hpp"
 #include "bodies/solution.hpp"
-#include "tests/clouds.hpp"
-#include "tests/polynomial.hpp"
+#include "tests/support/clouds.hpp"
+#include "tests/support/polynomial.hpp"
 
 /// Bodies of many shapes, and problems whose solution is a polynomial.
 namespace support {

@@ -2,7 +2,7 @@
 
 #include "batra2008/section_4_1_plate.hpp"
 #include "batra2008/section_4_2_hole.hpp"
-#include "tests/bodies.hpp"
+#include "tests/support/bodies.hpp"
 
 /// The plate and the hole of Batra and Zhang as bodies.
 namespace support {

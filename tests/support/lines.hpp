@@ -9,7 +9,7 @@
 
 #include "asprone2010/section_5_numerical_tests.hpp"
 #include "report/statistics.hpp"
-#include "tests/relative.hpp"
+#include "tests/support/relative.hpp"
 
 /// Functions that several tests share.
 namespace support {
