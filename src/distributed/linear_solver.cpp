@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <utility>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
@@ -99,19 +98,25 @@ PetscErrorCode apply_by_elements(PC preconditioner, Vec b, Vec x) {
     return 0;
 }
 
+/// What is called at each iteration, and the first residual, of which it is given the share that is left.
+struct Progress {
+    const std::function<void(int, double)>& step;
+    double first = 0;
+};
+
 PetscErrorCode monitor(KSP ksp, PetscInt iteration, PetscReal residual, void* context) {
-    auto& [step, first] = *static_cast<std::pair<const std::function<void(int, double)>*, double>*>(context);
+    auto& progress = *static_cast<Progress*>(context);
     static_cast<void>(ksp);
-    if (iteration == 0) first = residual;
-    if (*step) (*step)(static_cast<int>(iteration), first > 0 ? residual / first : 0);
+    if (iteration == 0) progress.first = residual;
+    if (progress.step)
+        progress.step(static_cast<int>(iteration), progress.first > 0 ? residual / progress.first : 0);
     return 0;
 }
 
 /// The residual b − A x in maximum norms.
 struct Residual {
     double of_terms = 1;  ///< over ‖A‖ ‖x‖ + ‖b‖: the backward error of x
-    double of_given =
-        1;  ///< over ‖b‖: an estimate of the error of x, which is large where A is nearly singular
+    double of_given = 1;  ///< over ‖b‖: an estimate of x's error, large where A is nearly singular
 
     static constexpr double largest_error = 1e-5;
 
@@ -175,8 +180,8 @@ Attempt attempt(const System& system, Mat preconditioner, int n, bool factorised
             require(KSPSetOperators(solver, system.A, system.A));
         }
     }
-    std::pair<const std::function<void(int, double)>*, double> context{&step, 0};
-    require(KSPMonitorSet(solver, monitor, &context, nullptr));
+    Progress progress{step};
+    require(KSPMonitorSet(solver, monitor, &progress, nullptr));
 
     Attempt tried;
     require(VecDuplicate(system.b, tried.x.made()));
